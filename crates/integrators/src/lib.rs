@@ -1,11 +1,12 @@
 //! Integrators of ordinary differential equations y' = f(t, y).
 //!
 //! # Overview
-//! For programs that need accurate runs with measured errors. A law is written once ([`Ode`], [`System`]), and [`integrate`] runs it by any
-//! [`Method`]: those of maintained crates, and own methods over `f64` and double-double numbers ([`integrate_in`]). A run has a budget
-//! and reports its steps to an [`Observer`]. Its [`Outcome`] is the end of the span, or a failure with the last good state. Errors are
-//! measured against a [`reference()`], the digits that two methods of different families share in double-double; [`judge`] computes errors,
-//! [`measure`] times.
+//! For programs that need accurate runs with measured errors. One implementation of a law ([`Ode`], [`System`]) serves
+//! all methods: [`integrate`] runs it by any [`Method`], some from maintained crates and others of this crate, over
+//! `f64` and double-double numbers ([`integrate_in`]). A run has a budget and reports its steps to an [`Observer`]. Its
+//! [`Outcome`] is the state at the end of the span, or a failure with the last valid state. Errors are measured against
+//! a [`reference()`]: the digits of the motion on which two methods of different families agree in double-double.
+//! [`judge`] computes errors, [`measure`] times.
 //!
 //! | method | order | stiff | double-double | from |
 //! |---|---|---|---|---|
@@ -21,17 +22,18 @@
 //! | Bader-Deuflhard | varies | yes | | own |
 //! | Strang, Blanes-Moan, Kahan-Li splittings, for systems with pieces (constant step) | 2, 4, 6, 8 | | 2, 8 | own |
 //!
-//! Laws with constraints and multipliers ([`Index2Dae`], differential-algebraic equations of index 2) have their own entry and methods,
-//! [`integrate_index2()`]; [`integrate_projected`] projects the steps of any method with a constant step onto the constraint.
+//! Laws with constraints and multipliers ([`Index2Dae`], differential-algebraic equations of index 2) have methods of
+//! their own: [`integrate_index2()`]. [`integrate_projected`] projects the steps of any method with a constant step
+//! size onto the constraint.
 //!
 //! [`clock`] ends every integration of a process at a deadline, or on the user's request.
 //!
-//! [`check_by_step_halving`] checks a run with constant steps by runs with shorter steps; [`continue_branch`] is the continuation of equilibria and of periodic
-//! motions over a parameter.
+//! [`check_by_step_halving`] checks a run with constant steps by runs with shorter steps. [`continue_branch`] continues
+//! equilibria and periodic motions over a parameter.
 //!
-//! Tested properties: every method has its order on nonlinear laws (`tests/methods/orders.rs`); outputs change no step and are as accurate
-//! as the end of the run; the inner loops of own methods do not allocate. Gauss collocation with Jacobians in `f64` and residuals in
-//! double-double gives 26 digits at any stiffness in milliseconds.
+//! Tested properties: every method has its order on nonlinear laws (`tests/methods/orders.rs`); outputs do not affect
+//! the steps and are as accurate as the state at the end; the inner loops of this crate's methods do not allocate.
+//! Gauss collocation with Jacobians in `f64` and residuals in double-double gives 26 digits at any stiffness.
 //!
 //! # Example
 //! ```

@@ -3,8 +3,8 @@
 use crate::differentiate::gradient;
 use field::{Scalar, Tangent};
 
-/// dS/da_j for each quasi-acceleration a_j, of the acceleration energy S = 1/2 integral of a.a dm (Gibbs, Appell).
-/// The equations of motion put them equal to the generalised forces Q_j.
+/// The derivatives dS/da_j of the acceleration energy S = 1/2 integral of a.a dm (Gibbs, Appell) by the
+/// quasi-accelerations a_j. Appell's equations of motion are dS/da_j = Q_j with the generalised forces Q_j.
 pub fn appell<S: Scalar, const N: usize>(
     acceleration_energy: impl Fn([Tangent<S>; N]) -> Tangent<S>,
     accelerations: [S; N],

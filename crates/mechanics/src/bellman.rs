@@ -1,32 +1,32 @@
-//! Optimal control of a linear system under a quadratic criterion: Bellman's equation, and Riccati's equation derived
-//! from it.
+//! Optimal control of a linear system with a quadratic criterion: Bellman's equation, and Riccati's equation from it.
 //!
-//! For x' = A x + b u and the criterion, the integral of w(x) + s u^2 with w(x) = sum of w_i x_i^2, Bellman's function is
+//! For x' = A x + b u and the criterion integral of w(x) + s u^2 dt, with w(x) = sum of w_i x_i^2, Bellman's function
+//! is
 //!
 //!   B(x, u) = dV/dt + grad V . (A x + b u) + w(x) + s u^2 ,   V = sum over i, j of C_ij x_i x_j .
 //!
-//! It is least at the optimal u, and zero there. Whatever u is, dV/dt along the motion is then B - w - s u^2 with B = s
-//! (u - u_opt)^2: the criterion is V at the start less V at the end plus the integral of B. The condition V = 0 (or the
-//! price of the end) therefore holds at the end of the time, never at its start.
+//! Its minimum over u is at the optimal control, and is zero there. For any u, dV/dt along the motion is B - w - s u^2
+//! with B = s (u - u_opt)^2. The criterion is therefore V at the start minus V at the end plus the integral of B. The
+//! condition V = 0 (or the terminal cost) holds at the end time, not at the start.
 
 use crate::differentiate::{fixed, gradient, unit};
 use field::{Scalar, Tangent};
 
-/// A linear system with its criterion at an instant.
+/// A linear system with its quadratic criterion, at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Regulator<S, const N: usize> {
-    /// A
+    /// The matrix A.
     pub matrix: [[S; N]; N],
-    /// b
+    /// The vector b.
     pub control: [S; N],
-    /// w_i
+    /// The weights w_i.
     pub weights: [S; N],
-    /// s, not zero
+    /// The weight s of the control, not zero.
     pub price: S,
 }
 
 impl<S: Scalar, const N: usize> Regulator<S, N> {
-    /// B without dV/dt, at a state and a control.
+    /// B without dV/dt, at a state and a control; `value` is the matrix C of V.
     pub fn bellman(&self, value: [[S; N]; N], x: [S; N], u: S) -> S {
         let slope = gradient(|y| quadratic(value.map(fixed), y), x);
         (0..N).fold(self.price * u.squared(), |sum, i| {
@@ -35,10 +35,10 @@ impl<S: Scalar, const N: usize> Regulator<S, N> {
         })
     }
 
-    /// The u at which B is least: the root of its derivative, which is affine in u.
+    /// The control u that minimises B: the root of its derivative, which is affine in u.
     pub fn optimal(&self, value: [[S; N]; N], x: [S; N]) -> S {
         let lifted = self.fixed();
-        // outside u varied, inside its derivative taken
+        // the outer derivative is by u, the inner one by x
         let slope = |u: Tangent<S>| {
             let twice = lifted.fixed().bellman(value.map(fixed).map(fixed), fixed(fixed(x)), Tangent::variable(u));
             twice.slope
@@ -47,7 +47,7 @@ impl<S: Scalar, const N: usize> Regulator<S, N> {
         -at_zero.value / at_zero.slope
     }
 
-    /// C' by Bellman's equation: minus half the second derivatives of the least B.
+    /// The rate C' by Bellman's equation: minus half the second derivatives of the minimum of B.
     pub fn riccati(&self, value: [[S; N]; N]) -> [[S; N]; N] {
         let (twice, value) = (self.fixed().fixed(), value.map(fixed).map(fixed));
         std::array::from_fn(|i| {
@@ -61,7 +61,7 @@ impl<S: Scalar, const N: usize> Regulator<S, N> {
         })
     }
 
-    /// The same regulator with constant numbers, for derivatives by something else.
+    /// The regulator with constant dual numbers, for derivatives by other variables.
     pub fn fixed(&self) -> Regulator<Tangent<S>, N> {
         Regulator {
             matrix: self.matrix.map(fixed),
@@ -72,7 +72,7 @@ impl<S: Scalar, const N: usize> Regulator<S, N> {
     }
 }
 
-/// V(x) = sum over i, j of C_ij x_i x_j.
+/// The quadratic form V(x) = sum over i, j of C_ij x_i x_j.
 pub fn quadratic<S: Scalar, const N: usize>(matrix: [[S; N]; N], x: [S; N]) -> S {
     (0..N).fold(S::zero(), |sum, i| (0..N).fold(sum, |sum, j| sum + matrix[i][j] * x[i] * x[j]))
 }

@@ -1,15 +1,15 @@
-//! The axes in which the equations of a gyrostat are written.
+//! The choice of principal axes for the equations of a gyrostat.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// The principal axes in which the equations are written.
+/// The body whose principal axes the equations use.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Axes {
-    /// Axes of A: the paper's first form.
+    /// Axes of body A: the paper's first form.
     #[default]
     First,
-    /// Axes of A*: the second form.
+    /// Axes of body A*: the paper's second form.
     Second,
 }
 

@@ -1,4 +1,4 @@
-//! Scenes that are one initial value problem: the interface that every command uses, whatever the family.
+//! The interface of scenes that are initial value problems, used by every command.
 
 use crate::work_precision::{Configuration, Hybrid, Observed};
 use crate::{Axes, Choice, Problem, Run, RunFailure, Trajectory};
@@ -6,27 +6,27 @@ use integrators::Reference;
 use reader::Quantity;
 use std::borrow::Cow;
 
-/// A scene that is one initial value problem.
+/// A scene that is an initial value problem.
 pub trait IvpScene: Send + Sync {
     fn title(&self) -> &str;
-    /// The motion that the scene shows, and its difficulty.
+    /// A description of the motion.
     fn description(&self) -> &str;
     /// The name of the machine, or of the mechanism.
     fn model(&self) -> &str;
     fn run(&self) -> &Run;
-    /// The problem, in the axes of a form where there are several forms.
+    /// The problem, in the given axes where the equations have several forms.
     fn problem(&self, axes: Axes) -> Problem;
-    /// The problem with work metered that no law of it keeps, where there is such work.
+    /// The problem with additional states for the work of nonconservative forces, where there are any.
     fn metered(&self, axes: Axes) -> Problem {
         self.problem(axes)
     }
     fn parameters(&self) -> Vec<Parameter>;
-    /// Every formulation with every model, that of [`Self::problem`] in the first axes first.
+    /// Every combination of formulation and model; the first one is that of [`Self::problem`] in the first axes.
     fn ways(&self) -> Vec<Configuration>;
-    /// The quantities compared between them, with their sizes along the motion.
+    /// The quantities that are compared between configurations, with their sizes along the motion.
     fn observed(&self, reference: &Reference) -> Vec<Observed>;
 
-    /// The meaning of a column of a run, where its name does not say it.
+    /// The meaning of a column of a run, where its name is not self-explanatory.
     fn column(&self, _name: &str) -> Option<&'static Quantity> {
         None
     }
@@ -34,49 +34,49 @@ pub trait IvpScene: Send + Sync {
     /// The unit of a column of a run.
     fn unit(&self, name: &str) -> Cow<'static, str>;
 
-    /// Whether columns have the names of the scene's file: their units alone then decide which of them share a picture.
+    /// Whether columns have names from the scene's file: their units alone then decide which columns share a diagram.
     fn has_own_names(&self) -> bool {
         false
     }
 
-    /// The scene, where its law changes at events.
+    /// The scene as a hybrid system, if its law changes at events.
     fn hybrid(&self) -> Option<&dyn Hybrid> {
         None
     }
 
-    /// Notes on a run beside its numbers.
+    /// Notes on a run besides its numbers.
     fn told(&self, _choice: &Choice, _trajectory: &Trajectory) -> RunNotes {
         RunNotes::default()
     }
 }
 
-/// A parameter with its value, for a reader.
+/// A parameter with its value, for display.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
     pub name: Cow<'static, str>,
     pub value: String,
-    /// Empty for a pure number.
+    /// The unit; empty for a pure number.
     pub unit: Cow<'static, str>,
     pub meaning: Cow<'static, str>,
 }
 
 impl Parameter {
-    /// A quantity with its value.
+    /// The parameter of a quantity with its value.
     pub fn of(quantity: &Quantity, value: f64) -> Self {
         let Quantity { name, unit, meaning, .. } = quantity.clone();
         Parameter { name, value: value.to_string(), unit: if unit == "1" { "".into() } else { unit }, meaning }
     }
 }
 
-/// Notes on a run beside its numbers.
+/// Notes on a run besides its numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RunNotes {
-    /// Theoretical results that need no run.
+    /// Theoretical results that do not depend on the run.
     pub theory: Vec<String>,
-    /// For a run that ended early: the name of the event that ended it.
+    /// For a run that ended early: a sentence on the event that ended it.
     pub diagnosis: Option<String>,
-    /// The failures of the run, found after it.
+    /// The failures of the run, detected afterwards.
     pub failures: Vec<RunFailure>,
-    /// The closed form's name, and the largest distance of the run's states from it, relative to their size.
+    /// The name of the closed form, and the largest relative distance of the run's states from it.
     pub closed_form: Option<(&'static str, f64)>,
 }

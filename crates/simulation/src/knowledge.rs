@@ -1,7 +1,8 @@
-//! Knowledge of a system beyond its equations, attached to files that ask for it by name.
+//! Theoretical knowledge of a system, attached to files that refer to it by name.
 //!
-//! A crate submits a [`Knowledge`]; a file with the key `known_as` has its theory in every run, its closed form beside the run, its
-//! diagnosis where a run ends early, and its margins, which end one. Other crates attach more under the same name, such as smaller models.
+//! A crate registers a [`Knowledge`]. A file with the key `known_as` then has its theory and its closed form in every
+//! run, its diagnosis where a run ends early, and its margins. Other crates attach further items under the same name,
+//! such as reduced models.
 //!
 //! ```
 //! use dalembert_simulation::knowledge::{Knowledge, submit};
@@ -26,33 +27,34 @@ use crate::events::Margins;
 use crate::models::Modelled;
 use crate::{Choice, RunNotes, Trajectory};
 
-/// The knowledge of a system beside its equations; [`Knowledge::EMPTY`] gives the fields that are left out.
+/// Knowledge of a system besides its equations; [`Knowledge::EMPTY`] gives the fields that are left out.
 #[derive(Debug)]
 pub struct Knowledge {
     /// The name in files.
     pub name: &'static str,
     /// A summary in one line, for lists.
     pub summary: &'static str,
-    /// The parameters that it reads, by their names in the file.
+    /// The names of the parameters that it uses.
     pub parameters: &'static [&'static str],
-    /// The states and outputs that it reads.
+    /// The names of the states and outputs that it uses.
     pub columns: &'static [&'static str],
-    /// Scene files of which one must give the same equations, with the parameters of the file that asks; the knowledge does not
-    /// apply to other equations. An empty list accepts any equations.
+    /// Scene files of which one must have equations equal to those of the file, with the file's parameters; otherwise
+    /// the knowledge does not apply. An empty list accepts any equations.
     pub equations: &'static [&'static str],
-    /// Sentences of theory on the run, without the run; its span is that of the scene.
+    /// Theoretical sentences on the run, computed without it.
     pub theory: fn(&dyn Modelled, &Choice) -> Vec<String>,
-    /// The name of the event that ended a run early, where its last state or its method shows it.
+    /// The event that ended a run early, if its last state or its method shows it.
     pub diagnosis: fn(&Ended<'_>) -> Option<Diagnosis>,
-    /// Columns at a time, s, in closed form, where they are known.
+    /// The closed form of columns at a time (s), if known.
     pub closed_form: fn(&dyn Modelled, f64) -> Option<ClosedForm>,
-    /// The distance of a state from a boundary beyond which the law does not hold and which its equations do not show; the second argument
-    /// has the names of the states in their order. A run that comes there has stopped, while one that an event of its file ends has reached
-    /// its end. Must not call [`IvpScene::problem`](crate::IvpScene::problem) on the scene, which calls this function.
+    /// Margins of the validity of the law that its equations do not show; the second argument has the names of the
+    /// states in order. A run that reaches such a boundary has stopped, whereas a run that ends with an event of its
+    /// file has reached its end. Must not call [`IvpScene::problem`](crate::IvpScene::problem) on the scene, which
+    /// calls this function.
     pub margins: fn(&dyn Modelled, &[String]) -> Option<Box<Margins>>,
 }
 
-/// A run that stopped, or that an event ended before its span.
+/// A run that stopped, or that ended with an event before its span.
 #[derive(Clone, Copy, Debug)]
 pub struct Ended<'a> {
     pub scene: &'a dyn Modelled,
@@ -60,27 +62,27 @@ pub struct Ended<'a> {
     pub trajectory: &'a Trajectory,
 }
 
-/// The end of a motion.
+/// The diagnosed end of a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnosis {
-    /// The end in one sentence, without its full stop.
+    /// A sentence on the end, without full stop.
     pub what: String,
     /// The time of the end by the closed form, s.
     pub at: Option<f64>,
 }
 
-/// Values of columns at a time.
+/// The closed form of columns at a time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClosedForm {
     /// The name in the line `closed form` of a run.
     pub what: &'static str,
-    /// The values by the names of the columns.
+    /// The values, by column name.
     pub values: Vec<(&'static str, f64)>,
 }
 
 inventory::collect!(Knowledge);
 
-/// All knowledge of the crates in the program, by name.
+/// All registered knowledge, sorted by name.
 pub fn entries() -> Vec<&'static Knowledge> {
     let mut all: Vec<&Knowledge> = inventory::iter::<Knowledge>().collect();
     all.sort_by_key(|knowledge| knowledge.name);
@@ -88,7 +90,7 @@ pub fn entries() -> Vec<&'static Knowledge> {
 }
 
 impl Knowledge {
-    /// No knowledge, under no name.
+    /// The default: no knowledge.
     pub const EMPTY: Self = Knowledge {
         name: "",
         summary: "",
@@ -101,7 +103,7 @@ impl Knowledge {
         margins: |_, _| None,
     };
 
-    /// The notes of this knowledge on a run.
+    /// The notes on a run.
     pub fn told(&self, scene: &dyn Modelled, choice: &Choice, trajectory: &Trajectory) -> RunNotes {
         let ended = Ended { scene, choice, trajectory };
         let is_early = trajectory.has_begun() && ended.is_early();
@@ -114,7 +116,8 @@ impl Knowledge {
         }
     }
 
-    /// The closed form's name, with the largest relative distance of the rows from it; `None` where there is none at any instant.
+    /// The name of the closed form, and the largest relative distance of the rows from it; `None` where there is no
+    /// closed form.
     fn distance(&self, scene: &dyn Modelled, trajectory: &Trajectory) -> Option<(&'static str, f64)> {
         let mut found: Option<(&'static str, f64)> = None;
         for (&time, row) in trajectory.times.iter().zip(&trajectory.rows) {
@@ -140,34 +143,34 @@ impl Ended<'_> {
         self.trajectory.stopped().is_some() || self.trajectory.ends_before(self.span())
     }
 
-    /// The span that the run was asked for, s.
+    /// The requested span of the run, s.
     pub fn span(&self) -> f64 {
         self.scene.run().span
     }
 
-    /// The time of the last good state, s.
+    /// The time of the last valid state, s.
     pub fn time(&self) -> f64 {
         self.trajectory.outcome.time
     }
 
-    /// A column at the last good state; NaN where no column has the name.
+    /// A column at the last valid state; NaN where there is no such column.
     pub fn last(&self, column: &str) -> f64 {
         self.trajectory.column(column).map_or(f64::NAN, |place| self.trajectory.last[place])
     }
 
-    /// True where the law has come to its end: at a margin, or at an event that ends the run.
+    /// Whether the validity of the law has ended, at a margin or at an event that ends the run.
     pub fn has_left_its_law(&self) -> bool {
         self.trajectory.left.is_some() || self.trajectory.ends_before(self.span())
     }
 
-    /// Whether a time is within the step that could not be made, for methods with constant steps.
+    /// Whether a time (s) lies within the step that failed; only for methods with constant steps.
     pub fn was_before(&self, end: f64) -> bool {
         self.choice.method.steps().is_some_and(|steps| self.time() + self.span() / f64::from(steps) >= end)
     }
 }
 
 impl Diagnosis {
-    /// The sentence, with the distance of the last good state from the time of the closed form.
+    /// The sentence, with the difference between the last valid time and that of the closed form.
     fn sentence(self, time: f64) -> String {
         let Diagnosis { what, at } = self;
         match at {

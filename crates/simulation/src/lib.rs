@@ -1,14 +1,16 @@
 //! Runs of laws of motion: simulation, events, references, and comparison of methods.
 //!
-//! For programs that run scenes. A [`Problem`] is a law with a start, its integrals of motion and its end. It runs by any method
-//! ([`Choice`]) and across [`events`], is compared with [`references`], and is run by every method at every tolerance
-//! ([`work_precision`]). [`IvpScene`] is a scene that is one such problem.
+//! For programs that run scenes. A [`Problem`] is a law with a start, its integrals of motion and its margins. It can
+//! be run by any method ([`Choice`]) and across [`events`], compared with [`references`], and run by every method at
+//! every tolerance ([`work_precision`]). [`IvpScene`] is a scene with such a problem.
 //!
-//! A law y' = f(t, y) is written once, over expressions ([`TracedOde`]), from which these programs are made:
+//! A law y' = f(t, y) is implemented once, over symbolic expressions ([`TracedOde`]). The following programs are
+//! compiled from it:
 //!
-//! * [`Program`]: the rates as straight-line code, machine code in `f64`, operation by operation over dual and double-double numbers;
+//! * [`Program`]: the rates as straight-line code: machine code in `f64`, interpreted over dual and double-double
+//!   numbers;
 //! * [`LawSeries`]: the recurrence of the Taylor coefficients;
-//! * [`JacobianProgram`]: the exact derivatives, with common subexpressions computed once;
+//! * [`JacobianProgram`]: the exact derivatives, with common subexpressions evaluated once;
 //! * [`CompiledLaw`]: all these programs as an [`integrators::System`], each compiled when a method first uses it;
 //! * [`CompiledDae`]: the programs of a law with constraints and multipliers.
 //!

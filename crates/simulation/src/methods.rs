@@ -1,14 +1,14 @@
-//! The methods of integration by the names that scenes and the command line use.
+//! The names of the integration methods in scenes and on the command line.
 
 use integrators::{MOST_STAGES, Method, Splitting};
 use units::nearest;
 
-/// The form of a method's name: some take a number after a colon.
+/// The form of a method's name: some have a number after a colon.
 enum Named {
     Plain(Method),
-    /// A constant step: the number of steps must be given.
+    /// A method with a constant step; the number of steps is required.
     Steps(fn(u32) -> Method),
-    /// Stages, with a usual number where none is given.
+    /// A method with stages; their number is optional, with a default.
     Stages(u8, fn(u8) -> Method),
 }
 
@@ -57,7 +57,7 @@ const METHODS: &[(&str, Named, &str)] = &[
     ("euler", Named::Steps(|steps| Method::Euler { steps }), "explicit, so many equal steps"),
 ];
 
-/// (name, description) of every method.
+/// The name and description of every method.
 pub fn list() -> impl Iterator<Item = (String, &'static str)> {
     METHODS.iter().map(|(name, named, what)| {
         let written = match named {
@@ -69,7 +69,7 @@ pub fn list() -> impl Iterator<Item = (String, &'static str)> {
     })
 }
 
-/// The name of a method, as [`method`] reads it.
+/// The name of a method, in the form that [`method`] accepts.
 pub fn written(method: Method) -> String {
     let one = |(name, named, _): &(&'static str, Named, _)| match named {
         Named::Plain(known) => (*known == method).then(|| (*name).to_owned()),
@@ -84,7 +84,10 @@ pub fn written(method: Method) -> String {
     METHODS.iter().find_map(one).unwrap_or_else(|| method.to_string())
 }
 
-/// The method of a name; otherwise the error, and the accepted names.
+/// The method with a name.
+///
+/// # Errors
+/// The fault, and the accepted names.
 pub fn method(text: &str) -> Result<Method, (String, String)> {
     let (name, number) = text.split_once(':').map_or((text, None), |(name, number)| (name, Some(number)));
     let Some((_, named, _)) = METHODS.iter().find(|(known, ..)| *known == name) else {

@@ -1,4 +1,4 @@
-//! The readers of files whose system is written in them.
+//! The interface to readers of files that define a system by text.
 
 use crate::ensemble::EnsembleScene;
 use crate::ivp_scene::IvpScene;
@@ -8,75 +8,75 @@ use std::fmt;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
-/// A scene whose system is data.
+/// A scene whose system is defined by a file.
 pub trait Modelled: IvpScene + fmt::Debug {
-    /// The law over expressions; of one that changes at events, the law of the start.
+    /// The symbolic law; for a law that changes at events, the law at the start.
     fn symbolic_law(&self) -> Arc<dyn SymbolicLaw>;
 
-    /// Whether that law is written down, holds all along a motion, and is short enough to be rewritten.
+    /// Whether that law has explicit expressions, is valid throughout the motion, and is short enough to be rewritten.
     fn is_written(&self) -> bool;
 
-    /// Whether one of these columns of a run depends on each state.
+    /// For each state, whether one of these columns of a run depends on it.
     fn states_behind(&self, columns: &[String]) -> Vec<bool>;
 
-    /// The name under which there is knowledge of the system, where its file gives one: see [`crate::knowledge`].
+    /// The name of the [`crate::knowledge`] of the system, if its file gives one.
     fn known_as(&self) -> Option<&'static str>;
 
-    /// A parameter, or a coordinate or a speed at the start, by its name, in SI units.
+    /// The value of a parameter, or of a coordinate or a speed at the start, by name, in SI units.
     fn value(&self, name: &str) -> Option<f64>;
 
-    /// The scene with other values of these.
+    /// The scene with other values of parameters or of the start, in SI units.
     ///
     /// # Errors
-    /// The unknown name, or why there is no start.
+    /// The unknown name, or the reason why there is no start.
     fn with_values(&self, values: &[(&str, f64)]) -> Result<Arc<dyn Modelled>, String>;
 
-    /// The scene without some of its elements, and with others rigid.
+    /// The scene in a limit: some elements removed, others rigid.
     ///
     /// # Errors
-    /// The name of no parameter, or why there is no such scene.
+    /// A name that is no parameter, or the reason why there is no such scene.
     fn in_the_limit(&self, limit: Limit<'_>) -> Result<Arc<dyn Modelled>, String>;
 }
 
-/// Parameters at the ends of their ranges.
+/// Parameters in a limit.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Limit<'a> {
-    /// Zero for good: conditions which then choose nothing are not watched.
+    /// Parameters that are zero: conditions that thereby become irrelevant are not watched.
     pub zero: &'a [&'a str],
-    /// Without bound, for springs and dampers: their elongation, or its rate, is held at zero.
+    /// Parameters of springs and dampers that tend to infinity: their elongation, or its rate, is constrained to zero.
     pub unbounded: &'a [&'a str],
 }
 
-/// Reads a text, which messages call by the first argument.
+/// Reads a text; the first argument is its name in messages.
 type Reader<T> = fn(&str, &str) -> Result<T, SceneError>;
 
-/// Readers of files whose system is written in them.
+/// The readers of files that define a system by text.
 #[derive(Clone, Copy, Debug)]
 pub struct ModelReaders {
     pub scene: Reader<Arc<dyn Modelled>>,
     pub ensemble: Reader<EnsembleScene>,
-    /// Whether a system of this name runs as a model that a crate builds.
+    /// Whether a crate provides a system of this name whose scene runs as a model.
     pub runs: fn(&str) -> bool,
-    /// Whether a crate builds a model for this name, run or not.
+    /// Whether a crate provides a model for this name, run or not.
     pub knows: fn(&str) -> bool,
 }
 
 static READERS: OnceLock<ModelReaders> = OnceLock::new();
 
-/// Gives files with `[coordinates]` their readers; only the first call has an effect.
+/// Registers the readers of files with `[coordinates]`. Only the first call has an effect.
 pub fn read_models_by(readers: ModelReaders) {
     READERS.get_or_init(|| readers);
 }
 
-/// The readers, where they were given.
+/// The registered readers.
 pub fn readers() -> Option<&'static ModelReaders> {
     READERS.get()
 }
 
-/// Opens a file whose system is written in it.
+/// Opens a file that defines a system.
 ///
 /// # Errors
-/// All that is wrong with it, each at its place.
+/// All faults of the file, with their positions.
 pub fn open(path: &Path) -> Result<Arc<dyn Modelled>, SceneError> {
     let (text, name) = (read_text(path)?, path.display().to_string());
     match readers() {
@@ -88,12 +88,12 @@ pub fn open(path: &Path) -> Result<Arc<dyn Modelled>, SceneError> {
 
 const ACCEPTED: &str = "a file with [coordinates] is accepted; the folder `scenes/models` holds examples";
 
-/// Whether the system of a file runs as a model: the file names coordinates, or a system that a crate builds.
+/// Whether the system of a file runs as a model: the file has coordinates, or names a system that a crate provides.
 pub fn holds_model(text: &str) -> bool {
     holds(text, |readers, name| (readers.runs)(name))
 }
 
-/// Whether there is a model for questions on the equations of a file, for any law that its scene runs.
+/// Whether there is a model with the equations of a file, whatever law its scene runs.
 pub fn has_model(text: &str) -> bool {
     holds(text, |readers, name| (readers.knows)(name))
 }

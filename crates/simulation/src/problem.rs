@@ -1,34 +1,35 @@
-//! An initial value problem with its types erased, for any method.
+//! An initial value problem for any method, with object types.
 
 use crate::events::{self, Ending, Margins, OneLaw, Switching};
 use crate::law::Law;
 use integrators::{End, Failure, Method, Observer, Outcome, Span, Tolerance};
 use std::sync::Arc;
 
-/// A law with its state at time zero, its integrals, and the columns that a run shows.
+/// A law with its state at time zero, its integrals of motion, and the columns of its run.
 pub struct Problem {
     pub law: Arc<dyn Law>,
-    /// The state as the law has it: for a gyrostat in the axes of the form.
+    /// The initial state in the form of the law; for a gyrostat in the axes of the formulation.
     pub state: Vec<f64>,
-    /// The number of components, the last ones, that only meter others, such as work: a run is not judged by them.
+    /// The number of components at the end of the state that only integrate other quantities, such as work: a run is
+    /// not judged by them.
     pub metered: usize,
-    /// The length of the run, s, from time zero.
+    /// The length of the run from time zero, s.
     pub span: f64,
     pub invariants: Vec<Invariant>,
-    /// The residual of the constraints that hold along the motion, where there are some.
+    /// The residual of the constraints along the motion, if there are any.
     pub residual: Option<Box<Function>>,
-    /// The names of a row.
+    /// The column names of a row.
     pub columns: Vec<String>,
-    /// The columns that a run shows of a state at a time.
+    /// Computes the columns from a time and a state.
     pub row: Box<Row>,
-    /// The distance of a state from the end of the law.
+    /// The margins: positive where the law is valid.
     pub margins: Box<Margins>,
-    /// The changes of a law at events; `law` is then the law at the start.
+    /// The changes of the law at events; `law` is then the law at the start.
     pub switching: Option<Arc<dyn Switching>>,
 }
 
 impl Problem {
-    /// The motion across the events of a switching, by a method. A motion that ends before its span is another course.
+    /// The motion across events by a method. A motion that ends before the end of the span is a failure.
     pub fn across(
         &self,
         switching: &dyn Switching,
@@ -45,13 +46,13 @@ impl Problem {
 }
 
 impl Problem {
-    /// Why the law does not hold at a state, if it does not.
+    /// The reason why the law is invalid at a state; `None` where it is valid.
     pub fn outside(&self, time: f64, y: &[f64]) -> Option<&'static str> {
         events::outside(&(self.margins)(time, y, &vec![0.0; y.len()]))
     }
 
-    /// Runs over a span, event after event, or to the end of the law: then the outcome is the last state within it, with the
-    /// reason.
+    /// Integrates over a span across events, or to the end of the validity of the law: the outcome is then the last
+    /// valid state, with the reason.
     pub fn integrate(
         &self,
         method: Method,
@@ -62,7 +63,7 @@ impl Problem {
         if let Some(switching) = &self.switching {
             return events::integrate((&**switching, &*self.margins), (method, tolerance), span, observer, false);
         }
-        // a start beside a singular position may lead away from it
+        // a start near a singular position may lead away from it
         let zeros = vec![0.0; span.state.len()];
         if (self.margins)(span.start, &span.state, &zeros).iter().any(|margin| margin.goes_on && margin.value <= 0.0) {
             let alone = OneLaw(Arc::clone(&self.law));
@@ -71,8 +72,8 @@ impl Problem {
         Ending { law: &*self.law, margins: &*self.margins }.integrate((method, tolerance), span, observer)
     }
 
-    /// As [`integrate`](Self::integrate), but beyond singular positions of the constraints, each on the smooth branch of the motion, where
-    /// one is found: the observer is told of them.
+    /// As [`integrate`](Self::integrate), but across singular positions of the constraints on the smooth branch of the
+    /// motion, where one is found. The observer receives these positions.
     pub fn integrate_through_singular_positions(
         &self,
         method: Method,
@@ -89,11 +90,11 @@ impl Problem {
 pub type Function = dyn Fn(f64, &[f64]) -> f64 + Send + Sync;
 pub type Row = dyn Fn(f64, &[f64]) -> Vec<f64> + Send + Sync;
 
-/// A function of time and state that keeps its first value.
+/// An integral of motion: a function of time and state that keeps its initial value.
 pub struct Invariant {
     pub name: &'static str,
     pub value: Box<Function>,
-    /// The size of the terms of which it is composed, where it is known, such as that of kinetic and potential energy: a run that
-    /// changes its value by a hundredth of that has lost it.
+    /// The size of its terms, if known, such as that of kinetic and potential energy: a run that changes the integral
+    /// by a hundredth of it has lost the integral.
     pub size: Option<Box<Function>>,
 }

@@ -5,16 +5,17 @@ use integrators::Method;
 use reader::{At, Issue, Table};
 use units::nearest;
 
-/// The finest tolerance that double precision leaves room for.
+/// The smallest tolerance in double precision.
 const FINEST: f64 = 1e-14;
-/// The largest number of instants.
+/// The largest number of output times.
 const MOST_SAMPLES: usize = 1_000_000;
-/// Bytes that the rows of a run may take: with constant steps its states are kept as well, and those of two shorter runs.
+/// The memory in bytes for the rows of a run. With constant steps the states, and those of two shorter runs, are stored
+/// too.
 const ROOM: usize = 1 << 28;
-/// Bytes of an instant beside its numbers.
+/// The memory in bytes of an output time besides its numbers.
 const BESIDE_NUMBERS: usize = 64;
 
-/// The most instants of a run that are kept in memory, where each has so many numbers.
+/// The largest number of output times of a run, for rows of `columns` numbers.
 pub fn most_samples(columns: usize) -> usize {
     (ROOM / (columns * size_of::<f64>() + BESIDE_NUMBERS)).min(MOST_SAMPLES)
 }
@@ -24,19 +25,19 @@ pub fn most_samples(columns: usize) -> usize {
 pub struct Run {
     /// The length of the run, s; it begins at time zero.
     pub span: f64,
-    /// The number of instants kept, beside the start.
+    /// The number of output times after the start.
     pub samples: usize,
-    /// The tolerance of a step, relative, and absolute in SI units.
+    /// The tolerance of a step: relative, and absolute in SI units.
     pub tolerance: f64,
-    /// Dormand-Prince 8(5,3) where the scene names none.
+    /// The method; Dormand-Prince 8(5,3) if the scene names none.
     pub method: Method,
-    /// Whether a run goes on beyond singular positions of its constraints, on the smooth branch of its motion.
+    /// Whether the run continues beyond singular positions of its constraints, on the smooth branch of its motion.
     pub through_singular_positions: bool,
-    /// The states to show, by name.
+    /// The names of the states to show.
     pub outputs: Vec<String>,
 }
 
-/// Reads the table; `outputs` are checked only if the names are `known`.
+/// Reads the table. The names of `outputs` are checked only if `known` is given. Faults are added to `issues`.
 pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, known: Option<&[String]>) -> Option<Run> {
     let mut table = top.table("run", "the span of time and the tolerance");
     let run = keys(&mut table, known.map_or(0, <[String]>::len));
@@ -50,10 +51,10 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, known: Option<&[String
     Some(Run { outputs: outputs.into_iter().map(|output| output.value).collect(), ..run })
 }
 
-/// The tolerance of a step where none is given.
+/// The default tolerance of a step.
 const USUAL: f64 = 1e-8;
 
-/// Reads the keys but the outputs, for a run whose rows have so many columns.
+/// Reads all keys except `outputs`, for rows of `columns` numbers.
 fn keys(table: &mut Table<'_>, columns: usize) -> Option<Run> {
     let span = table.scalar("span", "length of the run", "s");
     if span.value <= 0.0 {
@@ -90,7 +91,10 @@ fn keys(table: &mut Table<'_>, columns: usize) -> Option<Run> {
     })
 }
 
-/// Why a tolerance is not accepted.
+/// Checks the range of a tolerance.
+///
+/// # Errors
+/// The reason why it is not accepted.
 pub fn check_tolerance(tolerance: f64) -> Result<(), String> {
     match tolerance {
         t if (FINEST..1.0).contains(&t) => Ok(()),

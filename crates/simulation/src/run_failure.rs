@@ -1,7 +1,7 @@
-//! Failures of a run by their standard names: one list for every command.
+//! Failures of a run by standard names, common to all commands.
 //!
-//! A failure is found where a run has stopped, or afterwards from its record, and never in a step. Its evidence is in the names of the
-//! scene, and the program can carry out its remedy: an option, or a key of the file.
+//! A failure is detected where a run has stopped, or afterwards from its record, never during a step. Its evidence uses
+//! the names of the scene. Its remedy is an option of the program or a key of the file.
 
 use std::fmt;
 
@@ -28,7 +28,7 @@ pub enum FailureKind {
 }
 
 impl FailureKind {
-    /// Every kind that a run can show. Inputs refused before a run have messages with places in the file.
+    /// Every kind that a run can show. Invalid input is reported by messages with positions in the file instead.
     pub const ALL: [Self; 17] = [
         Self::SingularChart,
         Self::SingularMassMatrix,
@@ -74,7 +74,7 @@ impl FailureKind {
 }
 
 impl FailureKind {
-    /// Whether a run that has reached its end does not follow its law where it shows this failure.
+    /// Whether a run with this failure is wrong although it has reached its end.
     pub fn spoils(self) -> bool {
         self == Self::MissedEvent
     }
@@ -86,9 +86,9 @@ pub struct RunFailure {
     pub kind: FailureKind,
     /// The time of the failure, s.
     pub at: f64,
-    /// The place and the numbers that show it, in one sentence without its full stop.
+    /// The evidence: a sentence with place and numbers, without full stop.
     pub evidence: String,
-    /// An option or a key of the file that helps, in one sentence without its full stop.
+    /// The remedy: an option or a key of the file, as a sentence without full stop.
     pub remedy: String,
 }
 

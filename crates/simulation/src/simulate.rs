@@ -1,4 +1,4 @@
-//! Running a problem: its trajectory as a reader wants it.
+//! Runs of a problem, with the trajectory as named columns.
 
 use super::problem::Row;
 use super::singular_rows::interpolated;
@@ -17,40 +17,41 @@ pub struct Choice {
     pub method: Method,
     pub tolerance: f64,
     pub axes: Axes,
-    /// Instants kept beside the start.
+    /// The number of output times after the start.
     pub samples: usize,
-    /// The time after which the run is stopped; rows until then are kept.
+    /// The time limit of the run; rows up to then are kept.
     pub allowed: Duration,
-    /// Whether the run goes on beyond singular positions of its constraints, on the smooth branch of its motion.
+    /// Whether the run continues beyond singular positions of its constraints, on the smooth branch of its motion.
     pub through_singular_positions: bool,
 }
 
-/// A run, whether it reached its end or not.
+/// The result of a run, whether it reached its end or not.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trajectory {
-    /// The names of the columns: the states, then quantities computed from them.
+    /// The column names: the states, then quantities computed from them.
     pub names: Vec<String>,
     pub times: Vec<f64>,
-    /// One for each time.
+    /// One row for each time.
     pub rows: Vec<Vec<f64>>,
-    /// The states of the law at these times, for methods with a constant step.
+    /// The states of the law at these times; only for methods with a constant step.
     pub states: Vec<Vec<f64>>,
-    /// Quantities that should stay zero, by names: the change of each invariant, and the largest residual of the constraints.
+    /// The names of quantities that should stay zero: the change of each integral, and the largest residual of the
+    /// constraints.
     pub checks: Vec<String>,
-    /// The values of the checks, one list for each time.
+    /// The values of the checks at each time.
     pub checked: Vec<Vec<f64>>,
-    /// The last good state, written like a row.
+    /// The row of the last valid state.
     pub last: Vec<f64>,
-    /// The outcome as the integrator gave it; where the law ended, up to there.
+    /// The outcome of the integration; where the validity of the law ended, up to that time.
     pub outcome: Outcome<f64>,
-    /// Why the law does not hold after the last good state, where it ended.
+    /// The reason why the law is invalid after the last valid state, if it is.
     pub left: Option<&'static str>,
     /// For a law that changes: the start and the events.
     pub passages: Vec<Passage>,
 }
 
 impl Run {
-    /// The settings that a scene asks for.
+    /// The settings of a run as given in the scene.
     pub fn choice(&self) -> Choice {
         Choice {
             method: self.method,
@@ -63,11 +64,11 @@ impl Run {
     }
 }
 
-/// The time for which the usual number of evaluations is allowed, and the longest that counts as a limit.
+/// The time limit for the usual number of evaluations, and the longest time that counts as a limit.
 const USUAL: Duration = Duration::from_secs(300);
 const LONGEST: Duration = Duration::from_secs(86_400);
 
-/// The evaluations that a run may take: more than usual in proportion to its time limit, where it has one.
+/// The budget of evaluations: increased in proportion to the time limit, if there is one above the usual.
 fn evaluations(usual: u64, allowed: Duration) -> u64 {
     match allowed <= LONGEST {
         true => (usual as f64 * (allowed.as_secs_f64() / USUAL.as_secs_f64()).max(1.0)) as u64,
@@ -76,7 +77,7 @@ fn evaluations(usual: u64, allowed: Duration) -> u64 {
 }
 
 impl Problem {
-    /// Runs the problem. `progress` gets the fraction done after every step.
+    /// Runs the problem. `progress` receives the completed fraction after every step.
     pub fn simulate(&self, choice: &Choice, mut progress: impl FnMut(f64)) -> Trajectory {
         self.simulate_while(choice, |fraction| {
             progress(fraction);
@@ -84,7 +85,8 @@ impl Problem {
         })
     }
 
-    /// Runs until `progress`, which gets the fraction done after every step, breaks it off; rows until then are kept.
+    /// Runs the problem until `progress`, which receives the completed fraction after every step, stops it. Rows up to
+    /// then are kept.
     pub fn simulate_while(&self, choice: &Choice, progress: impl FnMut(f64) -> ControlFlow<()>) -> Trajectory {
         let mut span = Span::new(0.0, self.span, &self.state)
             .with_even_outputs(choice.samples)
@@ -93,7 +95,7 @@ impl Problem {
         span.outputs.insert(0, 0.0);
         for invariant in &self.invariants {
             let first = (invariant.value)(0.0, &self.state);
-            // a step that has left the law is not part of the run
+            // a step beyond the validity of the law is not part of the run
             let value = move |time: f64, y: &[f64]| match self.outside(time, y) {
                 Some(_) => first,
                 None => (invariant.value)(time, y),
@@ -146,7 +148,7 @@ impl Problem {
 }
 
 impl Problem {
-    /// The names of the quantities that should stay zero along a run.
+    /// The names of the checks.
     fn checks(&self) -> Vec<String> {
         let invariants = self.invariants.iter().map(|one| format!("change of {}", one.name));
         invariants.chain(self.residual.as_ref().map(|_| "residual of constraints".to_owned())).collect()
@@ -158,8 +160,8 @@ impl Problem {
         changes.chain(self.residual.as_ref().map(|residual| residual(time, state))).collect()
     }
 
-    /// Compares a run with constant steps that reached its end with runs of shorter steps, each in the time that it was allowed;
-    /// `None` for other runs. `goes_on` breaks it off.
+    /// Compares a run with constant steps that reached its end with runs of shorter steps, each with the time limit of
+    /// `choice`. `None` for other runs. `goes_on` may stop the comparison.
     pub fn check_by_step_halving(
         &self,
         choice: &Choice,
@@ -189,7 +191,7 @@ impl Problem {
     }
 }
 
-/// Ends a run when the caller asks for it.
+/// An observer that stops a run on the caller's request.
 struct Told<'a> {
     goes_on: &'a mut dyn FnMut() -> ControlFlow<()>,
     broken_off: bool,
@@ -206,12 +208,12 @@ impl Observer<f64> for Told<'_> {
 }
 
 impl Trajectory {
-    /// The column with this name.
+    /// The index of the column with this name.
     pub fn column(&self, name: &str) -> Option<usize> {
         self.names.iter().position(|known| known == name)
     }
 
-    /// Why the run stopped before its end, if it did.
+    /// The reason why the run stopped before its end, if it did.
     pub fn stopped(&self) -> Option<String> {
         let failure = || self.outcome.failure().map(|failure| self.named(failure));
         let broken_off = || self.broken_off().then(|| "interrupted".to_owned());
@@ -222,22 +224,22 @@ impl Trajectory {
         left.or_else(broken_off).or_else(failure)
     }
 
-    /// Whether there is a motion from the start.
+    /// Whether the run made any step or passed any event.
     pub fn has_begun(&self) -> bool {
         self.outcome.time != 0.0 || self.outcome.work.steps > 0 || !self.passages.is_empty()
     }
 
-    /// Whether an event has ended it before its span, as its scene asks for.
+    /// Whether an event ended the run before its span, as the scene demands.
     pub fn ends_before(&self, span: f64) -> bool {
         self.left.is_none() && self.outcome.reached() && self.outcome.time < span
     }
 
-    /// A failure with the name of the state whose rate is concerned, where it is one.
+    /// The text of a failure, with the name of the state whose rate is undefined.
     fn named(&self, failure: Failure) -> String {
         let Failure::Refused(Refusal::RatesNotFinite { component }) = failure else { return failure.to_string() };
         let what = match self.names.get(component).filter(|_| component < self.outcome.state.len()) {
             Some(name) => format!("the rate of `{name}`"),
-            // a variable that the law carries beside the state
+            // a further variable of the law, besides the state
             None => "the rate of a reaction or of a condition".to_owned(),
         };
         match self.outcome.time {
@@ -246,7 +248,7 @@ impl Trajectory {
         }
     }
 
-    /// The names of values that are not finite: columns at the end, conserved quantities along the run.
+    /// The names of undefined values: columns at the end, and conserved quantities along the run.
     pub fn undefined(&self) -> Vec<&str> {
         let columns = self.names.iter().zip(&self.last).filter(|(_, value)| !value.is_finite());
         let lost = |deviation: &&Deviation| !(deviation.first.is_finite() && deviation.largest.is_finite());
@@ -254,36 +256,36 @@ impl Trajectory {
         columns.map(|(name, _)| name.as_str()).chain(kept.map(|deviation| deviation.name.as_str())).collect()
     }
 
-    /// The conserved quantity that the run lost first, by a method that follows a tolerance; runs with constant steps are compared with
-    /// shorter steps instead.
+    /// The conserved quantity that the run lost first, for a method with step size control. Runs with constant steps
+    /// are checked by step halving instead.
     pub fn lost(&self) -> Option<(&Deviation, Lost)> {
-        // a run that ends within its last step is not lost behind its end
+        // a run that ends within its last step is not lost beyond its end
         let within = |lost: Lost| Lost { at: lost.at.min(self.outcome.time), ..lost };
         let lost = self.outcome.deviations.iter().filter_map(|one| Some((one, within(one.lost?))));
         lost.filter(|_| self.states.is_empty()).min_by(|(_, one), (_, other)| one.at.total_cmp(&other.at))
     }
 
-    /// Whether it was broken off by the caller.
+    /// Whether the caller stopped the run.
     pub fn broken_off(&self) -> bool {
         let told = matches!(self.outcome.end, End::Halted | End::Stopped(Failure::Interrupted { .. }));
         self.left.is_none() && told
     }
 }
 
-/// Keeps the rows, and passes the progress on.
+/// An observer that stores the rows and reports the progress.
 struct Kept<'a, F> {
     row: &'a Row,
     times: Vec<f64>,
     rows: Vec<Vec<f64>>,
-    /// The states, where they are asked for.
+    /// The states, if requested.
     states: Option<Vec<Vec<f64>>>,
     problem: &'a Problem,
-    /// The first values of the invariants.
+    /// The initial values of the integrals.
     first: Vec<f64>,
     checked: Vec<Vec<f64>>,
     /// The singular positions that were passed.
     singular_positions: Vec<Passage>,
-    /// The time of the last sample beside one.
+    /// The time of the last sample near a singular position.
     between: Option<f64>,
     broken_off: bool,
     progress: F,

@@ -1,14 +1,14 @@
-//! Rows of a run beside singular positions of the constraints, where reactions are limits.
+//! Rows of a run near singular positions of the constraints, where reactions are limits.
 
 use super::problem::Row;
 
-/// The part of the largest value at nodes by which polynomials through all of them and through the inner ones may differ, and by which the
-/// value at the nearest node may differ from the polynomial through the others.
+/// The largest relative difference between the polynomials through all nodes and through the inner ones, and between
+/// the value at the nearest node and the polynomial through the others, for the interpolation to be accepted.
 const INTERPOLATED: f64 = 1e-3;
 
-/// The row beside a singular position: the state as it is, and the quantities computed from it by the polynomial through their values at
-/// nodes, since reactions at the state itself are not accurate. NaN where they have no limit, as the multiplier of a constraint whose
-/// gradient is zero at the position.
+/// The row near a singular position: the state itself, and the quantities computed from it by polynomial interpolation
+/// between `nodes`, since reactions at the state itself are inaccurate. NaN where they have no limit, such as the
+/// multiplier of a constraint whose gradient vanishes at the position.
 pub(super) fn interpolated(row: &Row, (time, state): (f64, &[f64]), nodes: &[(f64, Vec<f64>)]) -> Vec<f64> {
     let mut own = row(time, state);
     let rows: Vec<Vec<f64>> = nodes.iter().map(|(time, state)| row(*time, state)).collect();
@@ -25,7 +25,7 @@ pub(super) fn interpolated(row: &Row, (time, state): (f64, &[f64]), nodes: &[(f6
         };
         let largest = rows.iter().fold(0.0, |largest: f64, row| largest.max(row[place].abs()));
         let [all, of_inner] = [through(time, &near), through(time, inner)];
-        // an odd pole has the polynomial zero through nodes on both sides, which none of its values obeys
+        // for an odd pole, nodes on both sides give the polynomial zero, which none of the values satisfies
         let obeys = near.split_first().is_none_or(|(&nearest, others)| {
             (rows[nearest][place] - through(nodes[nearest].0, others)).abs() <= INTERPOLATED * largest
         });
@@ -39,7 +39,7 @@ pub(super) fn interpolated(row: &Row, (time, state): (f64, &[f64]), nodes: &[(f6
 mod tests {
     use super::interpolated;
 
-    /// Nodes at four times on either side of zero, of a state that is the time.
+    /// Nodes at four times on either side of zero, with the time as state.
     fn nodes() -> Vec<(f64, Vec<f64>)> {
         (1..=4)
             .flat_map(|node| [-0.001, 0.001].map(|step| f64::from(node) * step))

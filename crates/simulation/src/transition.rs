@@ -1,17 +1,17 @@
-//! The transition matrix of a scene's run: derivatives of its end by its start, in the components that a run shows.
+//! The state-transition matrix of a scene's run, in the components that a run shows.
 
 use super::Problem;
 use integrators::{Failure, Tolerance, transition};
 use nalgebra::DMatrix;
 
 impl Problem {
-    /// dy_i(end) / dy_j(start), row by row; of a gyrostat in the axes of the data.
+    /// The matrix dy_i(end) / dy_j(start), row by row; for a gyrostat in the axes of the data.
     ///
-    /// A row of the run begins with B y, where B turns the axes of the law into those of the data; the matrix is therefore
-    /// B M B^-1.
+    /// A row of the run begins with B y, where B rotates the axes of the law into those of the data. The matrix is
+    /// therefore B M B^-1.
     ///
     /// # Errors
-    /// [`Failure`] where the law has no series, or the run stops before its end.
+    /// [`Failure`] where the law has no Taylor series, or the run fails.
     pub fn transition(&self, tolerance: f64) -> Result<Vec<Vec<f64>>, Failure> {
         let n = self.state.len();
         let found = transition(&*self.law, &Tolerance::both(tolerance), (0.0, self.span), &self.state)?;
@@ -27,7 +27,7 @@ impl Problem {
                 turn[(i, j)] = column[i] - origin[i];
             }
         }
-        // orthogonal: rotations of vectors, and nothing else
+        // B is orthogonal: it consists of rotations of vectors
         let outer = &turn * inner * turn.transpose();
         Ok((0..n).map(|i| outer.row(i).iter().copied().collect()).collect())
     }

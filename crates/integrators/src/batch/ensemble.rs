@@ -1,41 +1,43 @@
-//! The Taylor method on many systems of one kind: one in each lane, each with its own time and step.
+//! The Taylor method on a batch of systems of one kind: one system in each lane of a SIMD register, with its own time
+//! and step size.
 //!
-//! No lane waits for the slowest: a member that has arrived makes room for the next. The result of a member does not
-//! depend on its lane, nor on the members in the others.
+//! Lanes are independent. When a member reaches the end of its run, the next member is loaded into its lane. The result
+//! of a member depends neither on its lane nor on the members in the other lanes.
 
 use crate::methods::taylor::reach;
 use crate::{Failure, clock};
 use field::Batch;
 use pulp::{Arch, Simd, WithSimd};
 
-/// The order of series in lanes for a tolerance.
+/// Optimal order of the Taylor method in a batch, for a tolerance.
 ///
-/// As [`taylor_order`](crate::taylor_order), with the cost of a step in lanes: b + p + c p^2 with b = 3.5, c = 0.02 (measured from order
-/// 8 to 28 on systems with 8 and 15 states), to which p = 3 + 0.78 L is near. Orders are formed four at a time: the result is the nearest
-/// multiple of four.
+/// The model is that of [`taylor_order`](crate::taylor_order), with the cost of a step b + p + c p^2, where b = 3.5 and
+/// c = 0.02 were measured for orders 8 to 28 on systems with 8 and 15 states. The optimum is near p = 3 + 0.78 L. The
+/// code of a batch computes four orders at once; the result is the nearest multiple of four, at most 60.
 pub fn batch_order(tolerance: f64) -> usize {
     let fours = (3.0 - 0.78 * tolerance.ln()) / 4.0;
     4 * (fours.round() as usize).clamp(1, 15)
 }
 
-/// The series of L systems that differ in their parameters, states and times.
+/// Taylor series of L systems, which differ in their parameters, states and times.
 pub trait BatchSeries<const L: usize> {
-    /// Gives the system in a lane its parameters.
+    /// Sets the parameters of the system in a lane.
     fn set(&mut self, lane: usize, parameters: &[f64]);
 
-    /// The order of the last coefficients.
+    /// The order of the series.
     fn order(&self) -> usize;
 
-    /// Expands the solutions through (t, y), lane by lane.
+    /// Computes the Taylor coefficients of the solutions through (t, y) in all lanes.
     fn expand(&mut self, times: Batch<L>, states: &[Batch<L>]);
 
-    /// The coefficients of order k of the last expansion, k the last order or the one before it.
+    /// The Taylor coefficients of order k of all states. Only the two highest orders are available.
     fn coefficients(&self, k: usize) -> &[Batch<L>];
 
-    /// The sum of the last expansion, each lane at its h.
+    /// Evaluates the last series in every lane at its time h after the expansion point.
     fn sum(&self, h: Batch<L>, out: &mut [Batch<L>]);
 
-    /// The longest steps over which the last expansion shows the law, as [`TaylorSeries::shown`](crate::TaylorSeries::shown).
+    /// The longest step in each lane for which the series represents the law, see
+    /// [`TaylorSeries::shown`](crate::TaylorSeries::shown).
     fn shown(&self) -> Batch<L> {
         Batch::all(f64::INFINITY)
     }
@@ -67,33 +69,35 @@ impl<T: BatchSeries<L> + ?Sized, const L: usize> BatchSeries<L> for Box<T> {
     }
 }
 
-/// The source of members, and the receiver of their results.
+/// Supplies the members of an ensemble, and receives their results.
 pub trait Members {
     /// Writes parameters and initial state of the next member and returns its number; `None` where there are no more.
     fn next(&mut self, parameters: &mut [f64], state: &mut [f64]) -> Option<u64>;
 
-    /// Whether motions are examined after each step.
+    /// Whether [`leaves`](Self::leaves) must be called after each step.
     fn watches(&self) -> bool {
         false
     }
 
-    /// The last time within a step at which the law of a member holds; `None` where it holds to the end of the step.
+    /// The time within a step after which the law of the member is no longer valid; `None` where it is valid in the
+    /// whole step.
     fn leaves(&mut self, _number: u64, _step: &BatchStep<'_>) -> Option<f64> {
         None
     }
 
-    /// Whether states are projected onto the constraints and integrals of their motion.
+    /// Whether [`project`](Self::project) must be called after each step.
     fn projects(&self) -> bool {
         false
     }
 
-    /// Projects the state of a member at a time, where it is off by more than rounding; returns whether it has been
-    /// moved.
+    /// Projects the state of a member onto its constraints and integrals if the residual exceeds rounding. Returns
+    /// whether the state was changed.
     fn project(&mut self, _number: u64, _time: f64, _state: &mut [f64]) -> bool {
         false
     }
 
-    /// Takes a member that arrived, left its law or failed: its last good state with its time, and the number of steps.
+    /// Receives a member whose run has ended: its last valid state at the time `at`, the number of steps, and the
+    /// failure if there was one.
     fn ended(&mut self, number: u64, state: &[f64], steps: u64, at: f64, failure: Option<Failure>);
 }
 
@@ -105,30 +109,30 @@ pub struct BatchStep<'a> {
     pub state_at: &'a dyn Fn(f64, &mut [f64]),
 }
 
-/// The method for L members at a time, all from time zero to the same end: a run allocates nothing.
+/// The Taylor method for L members at once. All runs go from time zero to one common end. A run allocates no memory.
 #[derive(Clone, Debug)]
 pub struct Ensemble<T, const L: usize> {
     source: T,
-    /// The order of the last term of a series.
+    /// The order of the series.
     order: usize,
     tolerance: f64,
     end: f64,
     most_steps: u64,
     states: Vec<Batch<L>>,
-    /// Room for the states after a step.
+    /// Buffer for the states after a step.
     after: Vec<Batch<L>>,
     times: Batch<L>,
     steps: [u64; L],
     /// The number of the member in each lane.
     numbers: [Option<u64>; L],
-    /// Room for the data of one member.
+    /// Buffer for the parameters of one member.
     parameters: Vec<f64>,
     state: Vec<f64>,
 }
 
 impl<T: BatchSeries<L>, const L: usize> Ensemble<T, L> {
-    /// An ensemble on a source of series, best of the order [`batch_order`], for systems with so many states and
-    /// parameters.
+    /// An ensemble for systems with `states` states and `parameters` parameters, from time zero to `end`.
+    /// [`batch_order`] gives the best order of the source.
     pub fn new(source: T, tolerance: f64, end: f64, states: usize, parameters: usize) -> Self {
         Ensemble {
             order: source.order().max(2),
@@ -152,8 +156,7 @@ impl<T: BatchSeries<L>, const L: usize> Ensemble<T, L> {
         self
     }
 
-    /// Carries members from the start to the end until there are no more, or until the clock of the process ends it:
-    /// members that are under way are lost then.
+    /// Runs all members. If the clock of the process ends the run early, unfinished members are not reported.
     pub fn run(&mut self, members: &mut impl Members) {
         for lane in 0..L {
             self.admit(lane, members);
@@ -171,7 +174,7 @@ impl<T: BatchSeries<L>, const L: usize> Ensemble<T, L> {
         let (reach, shown) = (Arch::new().dispatch(reach), self.source.shown());
         let (mut steps, mut nexts) = (Batch::all(0.0), [Ok(0.0); L]);
         for lane in (0..L).filter(|lane| self.numbers[*lane].is_some()) {
-            // NaN stays NaN, which `min` would drop
+            // `min` would drop a NaN
             let reach = if shown.0[lane] < reach.0[lane] { shown.0[lane] } else { reach.0[lane] };
             nexts[lane] = self.next_time(lane, reach);
             steps.0[lane] = nexts[lane].map_or(0.0, |next| next - self.times.0[lane]);
@@ -200,7 +203,7 @@ impl<T: BatchSeries<L>, const L: usize> Ensemble<T, L> {
                 continue;
             }
             if failure.is_some() || self.times.0[lane] == self.end {
-                // for a member that failed, the state before is the last good one
+                // the state before the step is the last valid state of a member that failed
                 let states = if failure.is_some() { &self.after } else { &self.states };
                 self.state.iter_mut().zip(states).for_each(|(y, lanes)| *y = lanes.0[lane]);
                 members.ended(number, &self.state, self.steps[lane], self.times.0[lane], failure);
@@ -209,7 +212,7 @@ impl<T: BatchSeries<L>, const L: usize> Ensemble<T, L> {
         }
     }
 
-    /// Projects the states after this step onto the constraints and integrals of their motions.
+    /// Projects the states after this step onto their constraints and integrals.
     fn project(&mut self, nexts: [Result<f64, Failure>; L], members: &mut impl Members) {
         for (lane, next) in nexts.into_iter().enumerate() {
             let (Some(number), Ok(next)) = (self.numbers[lane], next) else { continue };
@@ -220,7 +223,8 @@ impl<T: BatchSeries<L>, const L: usize> Ensemble<T, L> {
         }
     }
 
-    /// The members that leave their laws within this step: the times, and the states there.
+    /// Time and state at which members leave the range of validity of their laws within this step; `None` in the other
+    /// lanes.
     fn leave(&self, nexts: [Result<f64, Failure>; L], members: &mut impl Members) -> [Option<(f64, Vec<f64>)>; L] {
         std::array::from_fn(|lane| {
             let (number, end, begin) = (self.numbers[lane]?, nexts[lane].ok()?, self.times.0[lane]);
@@ -236,7 +240,7 @@ impl<T: BatchSeries<L>, const L: usize> Ensemble<T, L> {
         })
     }
 
-    /// The time to which the step of a lane leads whose series reaches so far.
+    /// The end of the next step of a lane, for the step size `reach` that its series allows.
     fn next_time(&self, lane: usize, reach: f64) -> Result<f64, Failure> {
         let at = self.times.0[lane];
         if reach.is_nan() {
@@ -260,7 +264,7 @@ impl<T: BatchSeries<L>, const L: usize> Ensemble<T, L> {
     }
 }
 
-/// The longest steps that the series allow, lane by lane; NaN where a coefficient is not finite.
+/// The step sizes that the series allow, one per lane; NaN where a coefficient is not finite.
 struct Reach<'a, const L: usize> {
     states: &'a [Batch<L>],
     last: &'a [Batch<L>],
@@ -274,7 +278,7 @@ impl<const L: usize> WithSimd for Reach<'_, L> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) -> Batch<L> {
-        // the largest coefficients in units of the allowed error, and the sum of all, which is finite where they are
+        // largest coefficients divided by the tolerance, and their sum, which detects values that are not finite
         let [mut s_last, mut s_before, mut sum] = [Batch::all(0.0); 3];
         for ((state, last), before) in self.states.iter().zip(self.last).zip(self.before) {
             for lane in 0..L {

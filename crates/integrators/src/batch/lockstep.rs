@@ -1,35 +1,35 @@
-//! The classical Runge-Kutta method with a constant step on many systems of one kind, one in each lane.
+//! The classical Runge-Kutta method with constant steps on a batch of systems of one kind, one system in each lane.
 
 use crate::Ode;
 use field::Batch;
 use pulp::{Arch, Simd, WithSimd};
 
-/// Room for a law over lanes, always advanced with the widest registers that the processor has. No lane depends on
-/// another.
+/// Buffers of the method. Each step uses the widest SIMD registers of the processor. Lanes are independent.
 ///
-/// `FUSED` numbers, which round a product and a sum once, are the fast ones where [`fuses`]; elsewhere the others are.
-/// The law must be `#[inline(always)]` throughout, or it is compiled for narrow registers: six times slower.
+/// `FUSED` selects numbers with a fused multiply-add, which are faster where [`fuses`] is true; elsewhere numbers
+/// without it are faster. The law must be `#[inline(always)]` throughout: otherwise it is compiled for narrow registers
+/// and runs six times slower.
 #[derive(Clone, Debug)]
 pub struct BatchRungeKutta4<const L: usize, const FUSED: bool> {
-    /// k1, k2, k3, k4: kept until the step is complete, which takes fewer stores than a sum that grows with each.
+    /// k1, k2, k3, k4. They are stored until the step is complete: this takes fewer stores than a running sum.
     slopes: [Vec<Batch<L, FUSED>>; 4],
     stage: Vec<Batch<L, FUSED>>,
 }
 
-/// Whether this processor rounds a product and a sum once in one instruction.
+/// Whether this processor has a fused multiply-add instruction.
 pub fn fuses() -> bool {
     !matches!(Arch::new(), Arch::Scalar)
 }
 
 impl<const L: usize, const FUSED: bool> BatchRungeKutta4<L, FUSED> {
-    /// Room for so many states.
+    /// Buffers for a system with `dimension` states.
     pub fn new(dimension: usize) -> Self {
         let room = || vec![Batch::all(0.0); dimension];
         BatchRungeKutta4 { slopes: std::array::from_fn(|_| room()), stage: room() }
     }
 
-    /// Makes that many steps from the time `start`, in s if the law's time is; allocates nothing. States beyond the room
-    /// are left.
+    /// Makes `steps` steps of size `step` from the time `start` (s), and overwrites `state`. Allocates no memory.
+    /// States beyond the dimension of the buffers are unchanged.
     pub fn steps(
         &mut self,
         law: &impl Ode<Batch<L, FUSED>>,
@@ -63,7 +63,7 @@ impl<O: Ode<Batch<L, FUSED>>, const L: usize, const FUSED: bool> WithSimd for St
         for number in 0..self.steps {
             let begin = self.start + number as f64 * h;
             let mut time = begin;
-            // the law is called in one place only, and is compiled once
+            // a single call of the law: it is compiled once
             for (slope, reach) in slopes.iter_mut().zip([h / 2.0, h / 2.0, h, 0.0]) {
                 self.law.rates(Batch::all(time), stage, slope);
                 time = begin + reach;
@@ -85,8 +85,8 @@ impl<O: Ode<Batch<L, FUSED>>, const L: usize, const FUSED: bool> WithSimd for St
     }
 }
 
-/// y + h k by whole registers: a loop over lanes would be compiled as a loop over states, which gathers numbers one by
-/// one.
+/// y + h k, by whole registers. A plain loop over lanes would be compiled as a loop over states with slow gather
+/// instructions.
 #[inline(always)]
 fn plus<S: Simd, const L: usize, const FUSED: bool>(
     simd: S,

@@ -1,4 +1,4 @@
-//! Many systems of one kind at once, one in each lane of a wide register.
+//! Integration of a batch: many systems of one kind at once, one in each lane of a SIMD register.
 
 mod ensemble;
 mod lockstep;

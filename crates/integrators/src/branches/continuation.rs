@@ -1,21 +1,22 @@
-//! Pseudo-arclength continuation of a curve: predictor along the tangent, corrector across it, step size by the
-//! change of direction.
+//! Pseudo-arclength continuation of a curve: predictor along the tangent, corrector in the plane normal to it, step
+//! size from the change of direction.
 
 use super::Curve;
 use super::corrector::Corrector;
 use nalgebra::DVector;
 
-/// The settings of a continuation. Lengths are in unknowns divided by their sizes.
+/// Settings of a continuation. Lengths are measured in the unknowns divided by `sizes`.
 pub struct ContinuationSettings<'a> {
-    /// The usual size of each unknown.
+    /// The typical magnitude of each unknown.
     pub sizes: &'a [f64],
-    /// The unknown whose turning points are folds.
+    /// The index of the unknown that is the bifurcation parameter: its turning points are folds.
     pub parameter: usize,
     /// The longest step.
     pub step: f64,
-    /// The largest number of points.
+    /// The largest number of points of the branch.
     pub most: usize,
-    /// The continuation ends at a point, in the unknowns as they are, for which this is false.
+    /// The range of the continuation: it ends at the first point, in unscaled unknowns, for which the function returns
+    /// false.
     pub within: &'a dyn Fn(&[f64]) -> bool,
 }
 
@@ -23,24 +24,24 @@ pub struct ContinuationSettings<'a> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurvePoint {
     pub x: Vec<f64>,
-    /// Whether the parameter turns back here.
+    /// Whether this point is a fold: the parameter has a turning point here.
     pub fold: bool,
 }
 
-/// Why a continuation ended.
+/// The reason why a continuation ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BranchEnd {
-    /// The next point is not within the bounds.
+    /// The next point is outside the range `within`.
     Outside,
-    /// The curve came back to its beginning.
+    /// The curve is closed: it returned to its first point.
     Closed,
     /// The largest number of points was reached.
     Enough,
-    /// No step succeeded, down to the shortest.
+    /// No step converged, down to the shortest step size.
     Stalled,
 }
 
-/// A part of a curve, its folds among its points.
+/// A part of a curve: its points in order, folds included, and the reason of its end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
     pub places: Vec<CurvePoint>,
@@ -54,17 +55,17 @@ impl Branch {
     }
 }
 
-/// The shortest step, as a share of the longest.
+/// The shortest step size, as a fraction of the largest.
 const SHORTEST: f64 = 1e-9;
-/// The least cosine between the directions at both ends of a step.
+/// The smallest allowed cosine of the angle between the tangents at both ends of a step.
 const STRAIGHT: f64 = 0.95;
-/// Corrections within which a step counts as easy.
+/// The step size grows after a step that took at most so many corrections.
 const EASY: u32 = 6;
-/// Trials for a fold: a bracketed secant takes about ten.
+/// The largest number of iterations for a fold; the bracketed secant method takes about ten.
 const MOST_TRIALS: u32 = 60;
 
-/// Follows a curve from a point near it. `towards` points into the direction in which it begins: at the start the curve
-/// is sought across it. `None` where there is no curve near the start.
+/// Continues a curve from a point near it. `towards` is the initial direction; the first point is found in the plane
+/// through `start` normal to `towards`. `None` where Newton's iteration finds no point of the curve near the start.
 pub fn continue_branch(
     curve: &mut dyn Curve,
     start: &[f64],
@@ -101,7 +102,7 @@ pub fn continue_branch(
         if !(walk.within)(&arrived.x) {
             return Some(Branch { places, last: BranchEnd::Outside });
         }
-        // the beginning lies between this point and the next, and nowhere near beside them
+        // the curve is closed if the first point lies within this step, close to the tangent
         let back = &first.0 - &x;
         let passed = direction.dot(&back);
         let beside = (&back - &direction * passed).norm();
@@ -120,7 +121,7 @@ pub fn continue_branch(
     Some(Branch { places, last: BranchEnd::Enough })
 }
 
-/// The point a step ahead with the direction there; `None` where the step is too long.
+/// The point of the curve one step ahead, and the tangent there; `None` where the step is too long.
 fn taken(
     corrector: &mut Corrector<'_>,
     x: &DVector<f64>,
@@ -134,8 +135,8 @@ fn taken(
     (ahead.dot(direction) >= STRAIGHT).then_some((next, ahead))
 }
 
-/// The fold, less than a step ahead: the root of the parameter's rate along the curve, by the secant in its bracket
-/// (Illinois).
+/// The fold within a step: the zero of the parameter's derivative along the curve, by the Illinois variant of the
+/// secant method in its bracket.
 fn turning(
     corrector: &mut Corrector<'_>,
     (x, direction): (&DVector<f64>, &DVector<f64>),

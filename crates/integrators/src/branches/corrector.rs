@@ -1,15 +1,16 @@
-//! One point of a continuation: Newton's iteration across the curve, and the tangent there.
+//! Corrector of a continuation: Newton's iteration in a plane normal to the predictor, and the tangent of the curve.
 
 use super::Curve;
 use crate::newton::Newton;
 use nalgebra::{DMatrix, DVector};
 
-/// Corrections after which a trial point counts as too far off.
+/// The largest number of corrections; a trial point that needs more is rejected.
 const MOST_CORRECTIONS: u32 = 12;
-/// Corrections below this share of the unknowns may become larger: they are rounding.
+/// Corrections smaller than this fraction of the unknowns are rounding errors: their growth does not count as
+/// divergence.
 const ROUNDING: f64 = 1e-9;
 
-/// Finds points of a curve in unknowns divided by their sizes.
+/// Computes points and tangents of a curve, in unknowns divided by their sizes.
 pub(super) struct Corrector<'a> {
     curve: &'a mut dyn Curve,
     sizes: &'a [f64],
@@ -27,7 +28,8 @@ impl<'a> Corrector<'a> {
         Corrector { curve, sizes, residual, matrix, corrections: 0 }
     }
 
-    /// The Jacobian with one more row, each row divided by its largest entry; and the residuals divided likewise.
+    /// The Jacobian with `border` as an additional row, each row divided by its largest entry, and the residuals
+    /// divided likewise.
     fn bordered(&mut self, x: &DVector<f64>, border: &DVector<f64>) -> Option<(DMatrix<f64>, DVector<f64>)> {
         let n = self.residual.len();
         let given: Vec<f64> = x.iter().zip(self.sizes).map(|(x, size)| x * size).collect();
@@ -48,8 +50,8 @@ impl<'a> Corrector<'a> {
         Some((matrix, right))
     }
 
-    /// The point of the curve in the plane through a trial point across a direction; `None` where Newton's iteration
-    /// does not find it within `reach`.
+    /// The point of the curve in the plane through `trial` with the normal `across`; `None` where Newton's iteration
+    /// finds none at a distance of at most `reach`.
     pub fn onto(&mut self, trial: &DVector<f64>, across: &DVector<f64>, reach: f64) -> Option<DVector<f64>> {
         let (mut x, mut newton, mut last) = (trial.clone(), Newton::new(), f64::INFINITY);
         for corrections in 1..=MOST_CORRECTIONS {
@@ -71,7 +73,7 @@ impl<'a> Corrector<'a> {
         None
     }
 
-    /// The unit vector along the curve that has a positive part along another.
+    /// The unit tangent of the curve at x, oriented such that its product with `along` is positive.
     pub fn direction(&mut self, x: &DVector<f64>, along: &DVector<f64>) -> Option<DVector<f64>> {
         let (matrix, mut right) = self.bordered(x, along)?;
         right.fill(0.0);

@@ -1,9 +1,9 @@
-//! Equilibria of a law, over a parameter that is its last state.
+//! Equilibria of a law as functions of a parameter, which is its last state.
 
 use super::Curve;
 use crate::{Failure, Jacobian, System};
 
-/// The curve f(y, p) = 0 of a law whose last state p is constant.
+/// The curve f(y, p) = 0 of a law whose last state p is a constant parameter.
 pub struct Equilibria<'a> {
     law: &'a dyn System,
     jacobian: Jacobian<'a>,
@@ -19,7 +19,7 @@ impl<'a> Equilibria<'a> {
         Equilibria { law, jacobian, rates: vec![0.0; count], square: vec![0.0; count * count] }
     }
 
-    /// The derivatives of the rates by the states, without the parameter: (n, n x n).
+    /// The Jacobian df/dy without the parameter: its dimension n, and its n x n entries in row order.
     pub fn linearised(&mut self, x: &[f64]) -> (usize, Vec<f64>) {
         self.jacobian.matrix(0.0, x, &mut self.square);
         let n = x.len().saturating_sub(1);

@@ -2,15 +2,15 @@
 //!
 //! # Overview
 //! * [`Curve`]: the equations, with their derivatives;
-//! * [`follow`]: pseudo-arclength continuation (Keller 1977), through folds, each located to rounding: saddle-node
-//!   bifurcations of equilibria;
-//! * [`Equilibria`]: states where the rates of a law vanish, its steady states;
+//! * [`continue_branch`]: pseudo-arclength continuation (Keller 1977) through folds (saddle-node bifurcations of
+//!   equilibria), each located to rounding;
+//! * [`Equilibria`]: states where the rates of a law vanish;
 //! * [`PeriodicMotions`]: motions that are periodic up to a shift, such as a whole turn, by shooting;
 //! * [`spectrum`]: eigenvalues and Floquet multipliers, which decide linear stability.
 //!
-//! A parameter is a state that is constant: a law whose last rate is zero has its last state for parameter, and the
-//! derivatives by it come with those by the states. (`russell_nonlin` follows curves too; it brings sparse solvers in C,
-//! stops on folds no nearer than a step, and has no periodic motions.)
+//! The parameter is the last state of the law, with the rate zero. The derivatives by the parameter are then part of
+//! the Jacobian of the law. (The crate `russell_nonlin` also continues curves, but it needs sparse solvers in C,
+//! locates folds only to within a step, and has no periodic motions.)
 
 mod continuation;
 mod corrector;
@@ -25,15 +25,15 @@ pub use spectrum::{eigenvalues, spectrum};
 
 use crate::Failure;
 
-/// n equations in n + 1 unknowns.
+/// A system of n equations in n + 1 unknowns, whose solutions form a curve.
 pub trait Curve {
-    /// n + 1.
+    /// The number of unknowns, n + 1.
     fn unknowns(&self) -> usize;
 
-    /// The residual of each equation at x, and the Jacobian: `matrix[i * (n + 1) + j]` is the derivative of equation i
-    /// by unknown j.
+    /// Writes the n residuals at x, and the Jacobian: `matrix[i * (n + 1) + j]` is the derivative of equation i by
+    /// unknown j.
     ///
     /// # Errors
-    /// [`Failure`] where the equations have no value.
+    /// [`Failure`] where the equations are undefined at x.
     fn evaluate(&mut self, x: &[f64], residual: &mut [f64], matrix: &mut [f64]) -> Result<(), Failure>;
 }

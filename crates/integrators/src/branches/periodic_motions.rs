@@ -1,29 +1,30 @@
 //! Motions that are periodic up to a shift, by shooting: y(T) = y(0) + shift.
 //!
-//! With a shift of zero these are periodic orbits; with a whole turn in an angle, rotations. One state is the section: it
-//! has a given value at time zero, and its place among the unknowns is taken by T. The derivatives come from the
-//! transition matrix. One of its eigenvalues (Floquet multipliers) is 1, along the motion; the section removes it exactly:
-//! its return map (Poincare) has the other eigenvalues.
+//! With a shift of zero these are periodic orbits; with a whole turn of an angle, rotations. The section fixes the
+//! value of one state at time zero; the period T replaces this state among the unknowns. The derivatives come from the
+//! state-transition matrix. One of its eigenvalues (Floquet multipliers) is 1, with an eigenvector along the motion.
+//! The return map of the section (Poincare map) has exactly the other eigenvalues.
 
 use super::Curve;
 use crate::{Failure, Ode, System, Tolerance, transition};
 
-/// The motions of an autonomous law, whose last state is a constant parameter.
+/// The periodic motions of an autonomous law, whose last state is a constant parameter.
 pub struct PeriodicMotions<'a> {
     law: &'a dyn System,
     tolerance: Tolerance,
-    /// The shift of each state but the parameter.
+    /// The increase of each state but the parameter over a period.
     shift: Vec<f64>,
     section: usize,
     value: f64,
     start: Vec<f64>,
     rates: Vec<f64>,
-    /// The transition matrix of the last evaluation, with the parameter.
+    /// The transition matrix of the last evaluation, including the parameter.
     transition: Vec<f64>,
 }
 
 impl<'a> PeriodicMotions<'a> {
-    /// State number `section` is `value` at time zero, and T takes its place among the unknowns.
+    /// The equations y(T) - y(0) = shift. State number `section` has the value `value` at time zero; the period T
+    /// replaces it among the unknowns.
     pub fn new(law: &'a dyn System, tolerance: f64, shift: &[f64], (section, value): (usize, f64)) -> Self {
         let count = Ode::<f64>::dimension(law);
         PeriodicMotions {
@@ -38,17 +39,18 @@ impl<'a> PeriodicMotions<'a> {
         }
     }
 
-    /// The state at time zero, parameter included, and T.
+    /// The state at time zero, parameter included, and the period T.
     pub fn motion(&self, x: &[f64]) -> (Vec<f64>, f64) {
         let mut start = x.to_vec();
         let lasts = std::mem::replace(&mut start[self.section], self.value);
         (start, lasts)
     }
 
-    /// The derivatives of the return to the section, by the states but that of the section and the parameter: (m, m x m).
+    /// The Jacobian of the return map, by all states but that of the section and the parameter: its dimension m, and
+    /// its m x m entries.
     ///
     /// # Errors
-    /// [`Failure`] where the motion does not last as long.
+    /// [`Failure`] where the run over one period fails.
     pub fn returning(&mut self, x: &[f64]) -> Result<(usize, Vec<f64>), Failure> {
         let end = self.run(x)?;
         Ode::<f64>::rates(self.law, 0.0, &end, &mut self.rates);
@@ -60,7 +62,7 @@ impl<'a> PeriodicMotions<'a> {
         Ok((across.len(), across.iter().flat_map(|&i| returning(i)).collect()))
     }
 
-    /// The state at time T; its derivatives are kept.
+    /// The state at time T. Stores the transition matrix.
     fn run(&mut self, x: &[f64]) -> Result<Vec<f64>, Failure> {
         self.start.copy_from_slice(x);
         self.start[self.section] = self.value;

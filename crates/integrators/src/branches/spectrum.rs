@@ -1,16 +1,16 @@
-//! All eigenvalues of a small matrix.
+//! Eigenvalues of a small dense matrix.
 
 use nalgebra::linalg::Schur;
 use nalgebra::{Complex, DMatrix};
 
-/// Steps for each eigenvalue, beyond which the iteration counts as lost; it takes two or three.
+/// The largest number of iterations for each eigenvalue; two or three suffice as a rule.
 const MOST_STEPS: usize = 200;
-/// Tolerances of the Schur iteration for a subdiagonal entry that counts as zero, in units of the last place. With one unit the
-/// rounding of multiple eigenvalues may keep the iteration going for ever; a few are still below the rounding of the matrix by then.
+/// Tolerances for a subdiagonal entry of the Schur form to count as zero, in units of the last place. With one unit,
+/// rounding may prevent convergence for multiple eigenvalues; the larger tolerances are then tried in turn.
 const NOTHING: [f64; 5] = [1.0, 4.0, 16.0, 1024.0, 1_048_576.0];
 
-/// The eigenvalues of an n x n matrix, row after row, the largest real part first; `None` where the iteration is lost, or
-/// an entry is not finite.
+/// The eigenvalues of an n x n matrix in row order, sorted by descending real part. `None` where the iteration does not
+/// converge, or an entry is not finite.
 pub fn spectrum(n: usize, matrix: &[f64]) -> Option<Vec<Complex<f64>>> {
     if matrix.len() != n * n || !matrix.iter().all(|entry| entry.is_finite()) {
         return None;
@@ -18,7 +18,8 @@ pub fn spectrum(n: usize, matrix: &[f64]) -> Option<Vec<Complex<f64>>> {
     eigenvalues(&DMatrix::from_row_slice(n, n, matrix))
 }
 
-/// The eigenvalues of a square matrix, the largest real part first; `None` where the iteration is lost, or an entry is not finite.
+/// The eigenvalues of a square matrix, sorted by descending real part. `None` where the iteration does not converge, or
+/// an entry is not finite.
 pub fn eigenvalues(matrix: &DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
     let n = matrix.nrows();
     if n == 0 {
@@ -33,20 +34,20 @@ pub fn eigenvalues(matrix: &DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
     Some(found)
 }
 
-/// A matrix B whose eigenvalues give those of A.
+/// A matrix B = A - s I or (A - s I)^-1, whose eigenvalues give those of A.
 struct Disguise {
     matrix: DMatrix<f64>,
     shift: f64,
-    /// Whether B = (A - s I)^-1 instead of A - s I.
+    /// Whether B is (A - s I)^-1 instead of A - s I.
     is_inverse: bool,
 }
 
-/// Shifts in units of the norm of A.
+/// Shifts s in units of the largest entry of A; [`OUTSIDE`] in units of its norm.
 const SHIFTS: [f64; 2] = [0.0, -1.0];
 const OUTSIDE: [f64; 2] = [1.3, -1.7];
 
-/// The iteration of A itself may turn in a circle where its eigenvalues lie symmetrically about zero, which those of A - s I do not, or where
-/// two pairs have one imaginary part, which those of (A - s I)^-1 do not.
+/// Transformed matrices to try in turn. The iteration of A itself may cycle if eigenvalues lie symmetrically about
+/// zero, which A - s I avoids, or if two pairs have equal imaginary parts, which (A - s I)^-1 avoids.
 fn disguises(matrix: &DMatrix<f64>) -> Vec<Disguise> {
     let n = matrix.nrows();
     let shifted = |part: f64, size: f64| (matrix - DMatrix::from_diagonal_element(n, n, part * size), part * size);
@@ -72,7 +73,7 @@ mod tests {
     use super::eigenvalues;
     use nalgebra::{Complex, DMatrix};
 
-    /// Two unstable directions with gyroscopic coupling, and a coordinate of its own, for every place of this coordinate.
+    /// Two unstable directions with gyroscopic coupling and one decoupled coordinate, in each order of the coordinates.
     #[test]
     fn eigenvalues_that_lie_symmetrically_about_zero_are_found() {
         for order in 0..5 {
@@ -89,7 +90,7 @@ mod tests {
         }
     }
 
-    /// A rotor in a plane with cross-coupling: two pairs with one imaginary part, p^2 + 2 p + 0.1 +- i q = 0.
+    /// A rotor in a plane with cross-coupling: two pairs with equal imaginary parts, p^2 + 2 p + 0.1 +- i q = 0.
     #[test]
     fn pairs_with_one_imaginary_part_are_found() {
         for (coupling, damping) in (1..40).flat_map(|k| [0.5, 2.0, 3.0].map(|damping| (0.05 * f64::from(k), damping))) {
@@ -109,7 +110,7 @@ mod tests {
         }
     }
 
-    /// Gyroscopic forces on two like directions: p^4 + (g^2 - 2) p^2 + 1 = 0.
+    /// Gyroscopic forces on two equal directions: p^4 + (g^2 - 2) p^2 + 1 = 0.
     #[test]
     fn gyroscopic_pairs_are_found() {
         for g in (0..80).map(|k| 0.05 * f64::from(k)) {

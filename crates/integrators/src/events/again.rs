@@ -1,43 +1,44 @@
-//! The motion within a step, computed again for the location of events.
+//! Repeated integration within a step, to locate events.
 
 use super::gap::Gap;
 use super::{Instant, Switches};
 use crate::methods::taylor::{Taylor, taylor_order};
 use crate::{Method, Span, System, TaylorSeries, Tolerance, Work, integrate};
 
-/// A halving gains one bit, and there are no more in a double.
+/// The largest number of iterations. Bisection gains one bit per iteration, and a double has fewer bits than this.
 const MOST_TRIALS: usize = 120;
 
-/// The part of the interval to which a gap must be narrowed, for a chord over it.
+/// A gap must be narrower than this fraction of the interval for its chord to replace the motion.
 const NARROW: f64 = 1e-4;
 
-/// The part of the change of a function over the interval that may fall into such a gap.
+/// The change of the function across such a gap must be smaller than this fraction of its change over the interval.
 const SMOOTH: f64 = 1e-2;
 
-/// Up to this square of a distance the law may have no numbers within the step.
+/// The law may be undefined within the step if the square of a distance is below this value.
 const BESIDE: f64 = 0.02;
 
-/// Evaluations that a part of a step may take, for each state and as many again.
+/// The budget of evaluations for a part of a step: `PATIENCE` times (`PATIENCE` plus the number of states).
 const PATIENCE: u64 = 50;
 
-/// Computes states within a step of a run.
+/// Computes states within a step of a run by a second integration from the beginning of the step.
 pub(super) struct Again<'a> {
     pub system: &'a dyn System,
     pub method: Method,
     pub tolerance: &'a Tolerance,
     pub switches: &'a dyn Switches,
     pub evaluations: u64,
-    /// The motion as a polynomial with its beginning, where the method has it.
+    /// The Taylor series of the motion with its expansion point, for methods that provide one.
     pub series: Option<Box<dyn TaylorSeries<f64> + 'a>>,
     pub expanded_at: Option<f64>,
-    /// Whether the last root lies at, or beyond, an instant that could not be computed again.
+    /// Whether the motion could not be computed at or beyond the last root.
     pub is_blocked: bool,
-    /// The work of computing it again.
+    /// The work of the repeated integrations.
     pub extra: Work,
 }
 
 impl Again<'_> {
-    /// The instant at a time, from one before it in the same step. `None` where the motion could not be computed again.
+    /// The state and signals at `time`, integrated from an earlier instant in the same step; `None` where this
+    /// integration fails.
     pub fn at(&mut self, step: &Instant, from: &Instant, time: f64) -> Option<Instant> {
         let mut instant = from.clone();
         if time == from.time {
@@ -58,7 +59,7 @@ impl Again<'_> {
             instant.move_to(self.switches, time, &state);
             return Some(instant);
         }
-        // a part of one step takes few evaluations, and where the law is singular any number is in vain
+        // a part of a step needs few evaluations; near a singularity no budget would suffice
         let most = self.evaluations.min(PATIENCE * (from.state.len() as u64 + PATIENCE));
         let span = || Span::new(from.time, time, &from.state).with_evaluations(most);
         let run = |span: &Span<'_, f64>| integrate(self.system, self.method, self.tolerance, span, &mut ());
@@ -75,8 +76,8 @@ impl Again<'_> {
         Some(instant)
     }
 
-    /// The instant by the series of the motion, where a distance may come to zero: another method has
-    /// stages beside the zero, where the law has no numbers. `None` where the law has no series, or one of several branches.
+    /// The instant by the Taylor series of the motion, where a distance may vanish: the stages of other methods would
+    /// lie close to the singularity of the law. `None` where the law has no series, or a series with branches.
     fn by_series(&self, from: &Instant, time: f64) -> Option<Instant> {
         if !from.signals.iter().any(|signal| signal.pace.near > 0.0 && signal.value <= BESIDE) {
             return None;
@@ -92,11 +93,11 @@ impl Again<'_> {
         Some(instant)
     }
 
-    /// The zero of a function of the signals that is positive or zero at the beginning: Newton's method with its rate, kept in the bracket
-    /// by halving. `None` where the motion could not be computed again; where a law ends with the function (above its zero), it is taken
-    /// to end before an instant that cannot be computed. Where the law has no numbers close to the zero alone, as in a position that its
-    /// coordinates do not describe, the zero is that of the chord over that gap. The last instant found at which the function is positive
-    /// is returned with it.
+    /// The zero of a function of the signals which is nonnegative at the beginning, by Newton's method with bisection
+    /// as a safeguard. Returns the zero and the last instant at which the function was positive. Where the motion
+    /// cannot be integrated close to the zero, as at a coordinate singularity, the zero of the chord across that gap is
+    /// returned. With `ends_above`, an instant that cannot be computed counts as beyond the zero. `None` where the
+    /// integration fails otherwise.
     pub fn root(
         &mut self,
         step: &Instant,
@@ -126,7 +127,7 @@ impl Again<'_> {
             let inside = (newton - low) * (newton - high) < 0.0;
             let next = match &gap {
                 Some(gap) => gap.beside(low, high),
-                // a halving now and then, lest Newton creep
+                // regular bisections ensure convergence where Newton's method is slow
                 None if inside && trial % 8 != 7 => newton,
                 None => low + 0.5 * (high - low),
             };
@@ -134,7 +135,7 @@ impl Again<'_> {
                 break;
             }
             if next == low || next == high {
-                // nothing lies between: a signal that jumps has its new value beyond
+                // no double lies between; a signal that jumps has its new value beyond
                 let found = if ends_above { before.clone() } else { beyond };
                 return Some([found, before]);
             }
@@ -152,7 +153,7 @@ impl Again<'_> {
         }
         let [left, right] = [&before, &beyond].map(|at| function(at).0);
         let is_bracketed = left > 0.0 && right <= 0.0;
-        // beyond a gap at which the motion jumps the motion is another one
+        // if the motion jumps across the gap, the states on its two sides belong to different motions
         let change = (function(from).0 - function(end).0).abs();
         let is_narrow = (high - low).abs() <= NARROW * (end.time - from.time).abs() && left - right <= SMOOTH * change;
         match gap {
@@ -161,7 +162,7 @@ impl Again<'_> {
         }
     }
 
-    /// The instant at the zero of the chord of a function, the state on its own chord.
+    /// The instant at the zero of the chord of a function; the state is interpolated linearly.
     fn on_chord(&self, [a, b]: [&Instant; 2], function: impl Fn(&Instant) -> (f64, f64)) -> Instant {
         let (left, right) = (function(a).0, function(b).0);
         let part = if left > right { left / (left - right) } else { 1.0 };

@@ -1,31 +1,32 @@
-//! Signals that are the square of a distance, which may come down to zero and rise again in less than a step.
+//! Signals that are squares of distances, which may touch zero and rise again within one step.
 //!
-//! Values and rates at the ends of the step do not show it. With |d'| <= c the distance d is not zero over an interval of the length
-//! h at whose ends d1 + d2 > c h.
+//! Values and rates at the ends of the step do not show such a zero. If |d'| <= c, the distance d has no zero in an
+//! interval of the length h with d1 + d2 > c h at its ends.
 
 use super::Instant;
 
-/// The change of a distance over an interval below which its ends decide.
+/// If the change of a distance over an interval is bounded by this value, the signal at the ends is sufficient.
 const LITTLE: f64 = 0.1;
 
-/// The change by the bound near the states, up to which the motion hardly turns over an interval: then its own bounds at both ends hold
-/// between them, but for a factor.
+/// If the bound `near` allows at most this change, the direction of motion hardly varies over the interval; then the
+/// bounds `own` at both ends, times [`BETWEEN`], hold throughout.
 const EVEN: f64 = 3.0;
 
-/// The factor by which the own bounds at the ends of such an interval may be exceeded within.
+/// The factor by which the rate may exceed the bounds `own` at the ends within such an interval.
 const BETWEEN: f64 = 1.5;
 
-/// Bounds of the rate of a distance of the order of one, 1/s.
+/// Bounds of the rate of a distance, 1/s, in units in which the distance is of order one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pace {
-    /// Near a state, in any direction of the motion. Zero for a signal that is no such distance.
+    /// The bound near a state, for any direction of motion. Zero for a signal that is not the square of a distance.
     pub near: f64,
-    /// At the state itself, along its motion; at most `near`.
+    /// The bound at the state, for its actual motion; at most `near`.
     pub own: f64,
 }
 
 impl Pace {
-    /// A bound of the change of the distance over an interval of this length, at whose ends these are the bounds of its rate.
+    /// A bound of the change of the distance over an interval of the length `length` (s), from the bounds of the rate
+    /// at its ends.
     pub fn change([before, after]: [Pace; 2], length: f64) -> f64 {
         let near = length.abs() * before.near.max(after.near);
         let own = BETWEEN * length.abs() * before.own.max(after.own);
@@ -33,7 +34,7 @@ impl Pace {
     }
 }
 
-/// Whether a signal is such a distance, and not zero between two instants.
+/// Whether a signal is the square of a distance that is certainly nonzero between two instants.
 pub(super) fn stays_off(ends: [&Instant; 2], signal: usize) -> bool {
     let most = most_change(ends, signal);
     let distance = |at: &Instant| at.signals[signal].value.max(0.0).sqrt();
@@ -41,13 +42,13 @@ pub(super) fn stays_off(ends: [&Instant; 2], signal: usize) -> bool {
     most > 0.0 && most < distance(before) + distance(after)
 }
 
-/// Whether some distance may come to zero between two instants without a sign of it at the ends.
+/// Whether any distance may touch zero between two instants undetected by the signals at the ends.
 pub(super) fn are_open(before: &Instant, after: &Instant) -> bool {
     let ends = [before, after];
     (0..before.signals.len()).any(|signal| most_change(ends, signal) > LITTLE && !stays_off(ends, signal))
 }
 
-/// The bound of the change of a distance between two instants.
+/// A bound of the change of a distance between two instants.
 fn most_change(ends: [&Instant; 2], signal: usize) -> f64 {
     let [before, after] = ends;
     Pace::change(ends.map(|at| at.signals[signal].pace), after.time - before.time)

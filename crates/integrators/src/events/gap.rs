@@ -1,33 +1,33 @@
-//! Instants between which a motion cannot be computed again, as at a position that its coordinates do not describe.
+//! Gaps: time intervals within a step where the integration fails, as at a coordinate singularity.
 
-/// Instants that could not be computed, after which no more are tried.
+/// The search ends after so many failed instants.
 const MOST: usize = 24;
 
-/// A gap in a bracket of a zero, which is narrowed from both sides.
+/// A gap within the bracket of a zero, narrowed from both sides. `found` counts the failed instants.
 pub(super) struct Gap {
     ends: [f64; 2],
     found: usize,
 }
 
 impl Gap {
-    /// The gap with one more instant.
+    /// The gap extended by one more failed instant.
     pub fn with(known: Option<Gap>, time: f64) -> Self {
         let Some(Gap { ends: [first, last], found }) = known else { return Gap { ends: [time; 2], found: 1 } };
         Gap { ends: [first.min(time), last.max(time)], found: found + 1 }
     }
 
-    /// Whether the gap lies in the bracket, in which a zero is still sought.
+    /// Whether the gap lies inside the bracket.
     pub fn is_between(&self, low: f64, high: f64) -> bool {
         self.ends.iter().all(|time| (time - low) * (time - high) < 0.0)
     }
 
-    /// The middle of the longer part that it leaves of the bracket.
+    /// The middle of the longer part of the bracket outside the gap.
     pub fn beside(&self, low: f64, high: f64) -> f64 {
         let [a, b] = self.longer(low, high);
         a + 0.5 * (b - a)
     }
 
-    /// Whether no more instants are tried.
+    /// Whether the gap is narrowed as far as possible.
     pub fn is_settled(&self, low: f64, high: f64, closest: f64) -> bool {
         let [a, b] = self.longer(low, high);
         self.found >= MOST || (b - a).abs() <= closest

@@ -1,11 +1,11 @@
 //! Event location: runs that end where a signal falls through zero, located to rounding.
 //!
-//! A step is examined when it is accepted. Value and rate of a signal at both ends bound it over the step ([`bounds`]), with a
-//! doubt that follows from the step before and from how far the signal bends. Where the bounds leave open whether there is a
-//! zero, the motion is computed again to the middle of the step, by the same method, and both halves are examined: a step may
-//! be as long as its method likes, and have several zeros. The event is computed in this way too, not interpolated: its state
-//! is as accurate as any state of the run. The Taylor method's step is a polynomial as accurate as its end: there a trial is
-//! one sum, and a step is examined in parts from the start.
+//! Each accepted step is examined. The value and the rate of a signal at both ends bound it over the step ([`bounds`]),
+//! with an error bound from the previous step and the curvature of the signal. Where these bounds do not decide whether
+//! there is a zero, the method integrates to the middle of the step, and both halves are examined. Steps can be long
+//! and contain several zeros. The state at the event is integrated, not interpolated: it is as accurate as any state of
+//! the run. With Taylor's method the polynomial of the step gives these states, and each step is examined in eight
+//! parts.
 
 mod again;
 mod bounds;
@@ -18,61 +18,61 @@ use again::Again;
 pub use distances::Pace;
 use search::{Search, Seen, look};
 
-/// A signal: its value, its rate along the motion, and the noise up to which a value counts as zero.
+/// A signal: its value, its rate along the motion (1/s), and the noise level below which a value counts as zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Signal {
     pub value: f64,
     pub rate: f64,
     pub noise: f64,
-    /// For the square of a distance of the order of one, which may come down to zero and rise again in less than a
-    /// step: bounds of the rate of the distance. Zero where values and rates at the ends of a step show enough.
+    /// Bounds of the rate of the distance, for a signal that is the square of a distance of order one: it may touch
+    /// zero and rise again within one step. Zero for other signals.
     pub pace: Pace,
 }
 
-/// Signals that are watched. Each counts from the time at which it was first positive: one that starts at zero may rise
-/// first.
+/// The signals of an event search. A signal is watched from the time at which it was first positive: a signal that
+/// starts at zero may rise first.
 pub trait Switches {
     /// The number of signals.
     fn count(&self) -> usize;
 
-    /// The values of all signals at a state; `out` has their count.
+    /// Computes all signals at a state; `out` has `count()` entries.
     fn signals(&self, time: f64, state: &[f64], out: &mut [Signal]);
 
-    /// Whether the fall of a signal must be reported at a state where the signal is still positive, a rounding before its zero: a law may
-    /// end with it.
+    /// Whether the event must be reported just before the zero, at a state where the signal is still positive: for
+    /// signals beyond whose zero the law is undefined.
     fn ends_above(&self, _signal: usize) -> bool {
         false
     }
 
-    /// Whether the time of the fall of a signal matters: where it lies in a gap of the law, and cannot be computed, the run ends before it.
-    /// Other signals count as fallen by the end of the step.
+    /// Whether the time of the event matters. If so, and if the zero lies in a gap where the integration fails, the run
+    /// ends before it. Other signals count as fallen at the end of the step.
     fn is_timed(&self, _signal: usize) -> bool {
         false
     }
 }
 
-/// The way in which a signal met zero.
+/// The kind of a zero of a signal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Happening {
     /// The signal fell through zero.
     Falls,
-    /// The signal came down to zero, within its noise, and rose again.
+    /// The signal decreased to zero, within its noise, and increased again.
     Touches,
-    /// The signal was zero or negative at the start, and negative then, without having been positive.
+    /// The signal was zero or negative at the start and then negative, without having been positive.
     StartsBelow,
 }
 
-/// The event with which a run ended before its span.
+/// The event that ended a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event {
-    /// The number of the signal.
+    /// The index of the signal.
     pub signal: usize,
     pub what: Happening,
     pub time: f64,
 }
 
-/// Integrates until the first event, or to the end of the span, or to a failure. The outcome's state is that of the
-/// event. The observer sees nothing beyond it.
+/// Integrates to the first event, the end of the span, or a failure. The state of the outcome is that at the event. The
+/// observer receives no output beyond the event.
 pub fn integrate_to_event(
     system: &dyn System,
     method: Method,
@@ -85,7 +85,7 @@ pub fn integrate_to_event(
     let mut guard = Guard {
         again: Again {
             system,
-            // a constant step, made again, is one step
+            // a repeated constant step must be a single step
             method: method.once(),
             tolerance,
             switches,
@@ -129,24 +129,25 @@ pub fn integrate_to_event(
 /// An event with its state.
 type Found = (Event, Vec<f64>);
 
-/// Times that differ by at most so many roundings are equal.
+/// Times that differ by at most so many units of rounding count as equal.
 const TOGETHER: f64 = 8.0;
 
-/// A signal that falls to zero within so many roundings of the time at which steps collapse has come to it: where rates are infinite at
-/// the zero, as those of a square root are, no step reaches it.
+/// A signal that falls to zero within so many units of rounding of the time at which the step size collapses counts as
+/// zero. Where rates are infinite at the zero, as for a square root, no step reaches the zero itself.
 const AT_THE_END: f64 = 256.0;
 
-/// The number of parts in which a polynomial step is examined.
+/// The number of parts in which a step with a polynomial is examined.
 const PARTS: usize = 8;
 
-/// Halvings of a step, or of such a part, over which a distance may come to zero by the bound of its rate.
+/// The largest number of halvings of a step, or of a part of it, while a distance may touch zero within.
 const MOST_HALVED: u32 = 8;
 
-/// A first step is long beyond this part of the span, and the doubt of a signal over it is this part of its values.
+/// A first step longer than this fraction of the span is examined with the initial error bound `UNKNOWN`, relative to
+/// the values of the signal.
 const LONG: f64 = 1e-3;
 const UNKNOWN: f64 = 0.5;
 
-/// A state with its signals.
+/// A time with its state and signals.
 #[derive(Clone, Debug)]
 struct Instant {
     time: f64,
@@ -168,25 +169,25 @@ impl Instant {
     }
 }
 
-/// The observer between the run and its own observer: it examines each step first.
+/// The observer that examines each step before it passes the step to the user's observer.
 struct Guard<'a> {
     again: Again<'a>,
     observer: &'a mut dyn Observer<f64>,
-    /// Whether each signal was positive before.
+    /// Whether each signal has been positive.
     armed: Vec<bool>,
-    /// The beginning of the interval before this one.
+    /// The beginning of the previous interval.
     earlier: Option<Instant>,
     before: Instant,
     after: Instant,
-    /// The state within the step, where the method gives it.
+    /// Instants within the step from its polynomial, if the method has one.
     parts: Vec<Instant>,
-    /// Instants within the interval, computed again.
+    /// Instants within the interval from repeated integrations.
     known: Vec<Instant>,
-    /// Outputs of the step that was not examined yet.
+    /// Outputs of the step that has not been examined yet.
     samples: Vec<(f64, Vec<f64>)>,
     found: Option<Found>,
-    /// The length of a first step beyond which it is doubtful: no step before it shows how the signals bend, and they may
-    /// oscillate within.
+    /// The length (s) beyond which a first step is examined with a large error bound: no previous step shows the
+    /// curvature of the signals, which may oscillate within the step.
     long: f64,
     /// The last instant before a zero that cannot be computed.
     lost: Option<Instant>,
@@ -204,7 +205,7 @@ impl Guard<'_> {
         self.found.is_some() || self.lost.is_some()
     }
 
-    /// Moves to the interval that begins where the last one ends.
+    /// Moves on to the next interval.
     fn go_on(&mut self) {
         let begin = self.earlier.get_or_insert_with(|| self.before.clone());
         std::mem::swap(begin, &mut self.before);
@@ -212,7 +213,7 @@ impl Guard<'_> {
         self.arm();
     }
 
-    /// The signal that is zero within the rounding of times at the last state, beyond which no step is possible.
+    /// The signal that is zero within rounding at the last state, where the step size has collapsed.
     fn event_at_its_end(&self) -> Option<Found> {
         let Instant { time, state, signals } = &self.before;
         let direction = (time - self.earlier.as_ref()?.time).signum();
@@ -225,8 +226,8 @@ impl Guard<'_> {
         Some((Event { signal, what: Happening::Falls, time: *time }, state.clone()))
     }
 
-    /// Whether an event comes before another. If two fall together within rounding, as at the stops of both ends of one rod,
-    /// the one whose signal is steeper relative to its noise counts first: its time is known better.
+    /// Whether one event comes before another. For equal times within rounding, as at stops of both ends of a rod, the
+    /// signal with the larger rate relative to its noise comes first: its time is better determined.
     fn comes_before(&self, (event, state): &Found, (known, known_state): &Found) -> bool {
         let rounding = TOGETHER * f64::EPSILON * event.time.abs().max(known.time.abs());
         if (event.time - known.time).abs() > rounding {
@@ -240,12 +241,12 @@ impl Guard<'_> {
         steepness(event, state) > steepness(known, known_state)
     }
 
-    /// Examines the interval between the two instants, in halves while a distance may come to zero within; then the interval
-    /// is the last of them.
+    /// Examines the current interval. While a distance may touch zero within, the interval is halved; after the call,
+    /// `before` and `after` are the ends of its last part.
     fn look(&mut self, step: &Instant, halvings: u32) {
         if halvings > 0 && distances::are_open(&self.before, &self.after) {
             let length = self.after.time - self.before.time;
-            // the motion may not be computed again beyond where the distance is zero
+            // the integration may fail beyond the zero of the distance
             let mut parts = (1..=halvings).map(|k| self.before.time + length / f64::from(1_u32 << k));
             if let Some(middle) = parts.find_map(|time| self.again.at(step, &self.before, time)) {
                 let end = std::mem::replace(&mut self.after, middle);
@@ -261,7 +262,7 @@ impl Guard<'_> {
         self.found = self.first_event(step);
     }
 
-    /// The first event between the two instants, within the step that began at another.
+    /// The first event in the current interval; `step` is the beginning of the whole step.
     fn first_event(&mut self, step: &Instant) -> Option<Found> {
         self.known.clear();
         let mut first: Option<Found> = None;
@@ -282,7 +283,7 @@ impl Guard<'_> {
             let mut search = Search { again: &mut self.again, step, known: &mut self.known, signal };
             match look(&mut search, ends, self.armed[signal], doubt) {
                 Seen::Nothing { armed } => self.armed[signal] = armed,
-                // an event before it in the step could not be distinguished from it
+                // an earlier event in this step cannot be separated from the lost one
                 Seen::Lost(last) => self.lost = Some(last),
                 Seen::Happened(event, state) => {
                     let found = (event, state);
@@ -332,7 +333,7 @@ impl Observer<f64> for Guard<'_> {
             self.look(&step, MOST_HALVED);
         }
         let direction = (time - step.time).signum();
-        // an output at the end of a step may be a rounding behind it
+        // the output at the end of a step may be late by rounding
         let last = self.found.as_ref().map(|(event, _)| event.time).or(self.lost.as_ref().map(|last| last.time));
         let is_seen = |output: f64| last.is_none_or(|last| (last - output) * direction >= 0.0);
         for (output, state) in self.samples.drain(..).filter(|(output, _)| is_seen(*output)) {

@@ -4,59 +4,61 @@ use super::again::Again;
 use super::bounds::Bounds;
 use super::{Event, Happening, Instant, Signal};
 
-/// Halvings of a step, after which the rest is within rounding.
+/// The largest number of halvings; the interval is then of the length of rounding.
 const MOST_HALVINGS: u32 = 45;
 
-/// The largest number of instants computed in one step: a signal that is noise leaves every half open.
+/// The largest number of instants computed in one step: for a signal that is only noise no half is ever decided.
 const MOST_KNOWN: usize = 256;
 
-/// Doublings of a rounding of the time, by which an instant before a fall is sought.
+/// An instant just before a fall is searched at distances of 2^k units of rounding, k below this number.
 const ROUNDINGS: i32 = 20;
 
-/// A doubt below this part of the change of the cubic leaves no doubt of its shape.
+/// An error bound below this fraction of the range of the cubic is negligible for its shape.
 const SETTLED: f64 = 0.05;
 
-/// The doubt that a step leaves by itself, as a part of the bow of the cubic.
+/// The error bound of a step without further knowledge, as a fraction of the deviation of the cubic from its chord.
 const OF_BOW: f64 = 0.25;
 
-/// The part of a doubt measured at the middle that each half keeps: a sixteenth of it would be right for short halves.
+/// The fraction of a measured error that each half inherits; asymptotically it is 1/16 for short halves.
 const OF_HALF: f64 = 0.25;
 
-/// The least part that a halving keeps of a doubt: one value that happens to lie on the cubic must not hide others.
+/// The smallest fraction of the error bound that each half inherits: a single value that lies on the cubic by chance
+/// must not hide other zeros.
 const LEAST_OF_HALF: f64 = 1.0 / 64.0;
 
-/// A distance below this counts as zero where the motion cannot be computed again.
+/// A distance below this value counts as zero where the integration fails.
 const NEAR: f64 = 1e-2;
 
-/// A signal that has fallen to this part of its value before a gap of the law counts as zero.
+/// A signal that has fallen to this fraction of its value before a gap counts as zero.
 const CLOSE: f64 = 1e-6;
 
-/// Halvings of an interval, by which its last instant that can be computed again is found.
+/// The largest number of halvings in the search for the last instant that can be integrated.
 const MOST_NEARER: u32 = 12;
 
-/// The data of a step.
+/// The search for events of one signal within one step.
 pub(super) struct Search<'s, 'a> {
     pub again: &'s mut Again<'a>,
     /// The beginning of the step.
     pub step: &'s Instant,
-    /// The instants computed again within it so far, for any signal.
+    /// Instants within the step that have been integrated for any signal.
     pub known: &'s mut Vec<Instant>,
     pub signal: usize,
 }
 
-/// The behaviour of a signal over an interval.
+/// The result for a signal over an interval.
 pub(super) enum Seen {
-    /// No event; whether the signal has been positive.
+    /// No event; `armed` tells whether the signal has been positive.
     Nothing {
         armed: bool,
     },
     Happened(Event, Vec<f64>),
-    /// The signal passes zero behind an instant, where the motion cannot be computed.
+    /// The zero lies after this instant, where the integration fails.
     Lost(Instant),
 }
 
 impl Search<'_, '_> {
-    /// The doubt in a step, by the step before if that is known.
+    /// The error bound of the cubic over a step, from its own deviation and from the extrapolated cubic of the previous
+    /// step.
     pub fn doubt(before: Option<(Signal, f64)>, [(a, begin), (b, end)]: [(Signal, f64); 2]) -> f64 {
         let own = OF_BOW * Bounds::new(a, b, end - begin, 0.0).bow();
         let continued = before.map_or(0.0, |(signal, time)| {
@@ -73,7 +75,7 @@ impl Search<'_, '_> {
         Seen::Happened(Event { signal: self.signal, what, time: instant.time }, instant.state)
     }
 
-    /// Examines the interval from a to b, in halves while the doubt leaves it open.
+    /// Examines the interval from a to b, in halves while the bounds do not decide.
     pub fn look(&mut self, [a, b]: [&Instant; 2], armed: bool, doubt: f64, halvings: u32) -> Option<Seen> {
         let (left, right) = (self.of(a), self.of(b));
         let bounds = Bounds::new(left, right, b.time - a.time, doubt);
@@ -85,13 +87,13 @@ impl Search<'_, '_> {
         };
         match seen {
             Some(seen) => Some(seen),
-            // a signal that is NaN decides nothing
+            // a NaN decides nothing
             None if is_last => Some(Seen::Nothing { armed }),
             None => self.halves([a, b], &bounds, (armed, doubt), halvings),
         }
     }
 
-    /// The behaviour of a signal that was positive; `None` where that is open.
+    /// The result for a signal that has been positive; `None` while the bounds do not decide.
     fn falls(&mut self, [a, b]: [&Instant; 2], bounds: &Bounds, is_last: bool) -> Option<Seen> {
         let (left, right) = (self.of(a), self.of(b));
         let noise = left.noise.max(right.noise);
@@ -112,11 +114,11 @@ impl Search<'_, '_> {
         (is_clear && bounds.is_monotone()).then_some(Seen::Nothing { armed: true })
     }
 
-    /// The behaviour of a signal that was not positive yet; `None` where that is open.
+    /// The result for a signal that has not been positive yet; `None` while the bounds do not decide.
     fn rises(&mut self, [a, b]: [&Instant; 2], bounds: &Bounds, is_last: bool) -> Option<Seen> {
         let (left, right) = (self.of(a), self.of(b));
         let noise = left.noise.max(right.noise);
-        // by the rounding of a time
+        // includes the rounding error of the time
         let slack = noise + 8.0 * f64::EPSILON * left.rate.abs() * a.time.abs().max((b.time - a.time).abs());
         let may_have_risen =
             left.value >= -slack && left.rate * bounds.length() > 0.0 && bounds.greatest() > 2.0 * noise;
@@ -131,7 +133,7 @@ impl Search<'_, '_> {
         (is_last || clean).then_some(Seen::Nothing { armed: true })
     }
 
-    /// The search in both halves, one after the other.
+    /// Examines the first half, then the second.
     fn halves(
         &mut self,
         [a, b]: [&Instant; 2],
@@ -148,7 +150,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// The instant in the middle.
+    /// The instant at the middle, integrated at most once.
     fn between(&mut self, [a, b]: [&Instant; 2]) -> Option<Instant> {
         let time = a.time + 0.5 * (b.time - a.time);
         if let Some(known) = self.known.iter().find(|known| known.time == time) {
@@ -159,8 +161,8 @@ impl Search<'_, '_> {
         Some(found)
     }
 
-    /// The fall of a distance to zero at the last instant of an interval that can be computed again; `None` where the motion does not
-    /// end there.
+    /// The zero of a distance at the last instant that can be integrated; `None` where the distance is not near zero
+    /// there.
     fn last(&mut self, [a, b]: [&Instant; 2]) -> Option<Seen> {
         if self.of(a).pace.near == 0.0 {
             return None;
@@ -182,7 +184,7 @@ impl Search<'_, '_> {
         pace.near > 0.0 && value <= NEAR * NEAR
     }
 
-    /// The fall through zero in an interval that has one. Where it cannot be computed again, the end, which counts as zero, is taken.
+    /// The event in an interval with a zero. Where the zero cannot be located, the end of the interval is taken.
     fn fall(&mut self, [a, b]: [&Instant; 2]) -> Seen {
         let signal = self.signal;
         let ends_above = self.again.switches.ends_above(signal);
@@ -202,7 +204,7 @@ impl Search<'_, '_> {
         self.event(Happening::Falls, found)
     }
 
-    /// The last instant, found a few roundings before a fall, at which the signal is positive.
+    /// The latest instant, at most a few units of rounding before a fall, with a positive signal.
     fn above(&mut self, [a, found]: [&Instant; 2]) -> Option<Instant> {
         let way = found.time - a.time;
         let rounding = f64::EPSILON * found.time.abs().max(way.abs()).copysign(way);
@@ -213,7 +215,7 @@ impl Search<'_, '_> {
         })
     }
 
-    /// The least value in an interval, where the rate changes its sign: nothing, a touch, or a fall before it.
+    /// Examines the minimum of the signal in an interval: no event, a touch, or a fall before it.
     fn valley(&mut self, [a, b]: [&Instant; 2]) -> Seen {
         let (signal, direction) = (self.signal, (b.time - a.time).signum());
         let ends_above = self.again.switches.ends_above(signal);
@@ -230,7 +232,7 @@ impl Search<'_, '_> {
     }
 }
 
-/// Examines one signal over an interval of a step. Where the motion cannot be computed again, the ends decide.
+/// Examines one signal over an interval of a step. Where the integration fails, the values at the ends decide.
 pub(super) fn look(search: &mut Search<'_, '_>, ends: [&Instant; 2], armed: bool, doubt: f64) -> Seen {
     if let Some(seen) = search.look(ends, armed, doubt, MOST_HALVINGS) {
         return seen;

@@ -1,9 +1,9 @@
-//! A law that is neither linear nor autonomous, with its solution, for measuring the order of methods.
+//! A nonlinear nonautonomous test equation with a known solution, to measure the order of methods.
 
 use crate::{Ode, System};
 use field::{Over, Scalar};
 
-/// y' = -2 t y^2 from y(0) = 1: y = 1 / (1 + t^2).
+/// The equation y' = -2 t y^2 with the solution y = 1 / (1 + t^2).
 pub(crate) struct Bell;
 
 impl<S: Over<f64> + Scalar> Ode<S> for Bell {

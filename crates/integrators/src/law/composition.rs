@@ -1,30 +1,30 @@
-//! Compositions of a splitting with its adjoint: coefficients, and the order in which pieces flow.
+//! Compositions of a splitting with its adjoint: coefficients, and the sequence of sub-flows.
 //!
-//! Let f = f_1 + .. + f_m with flows phi_k that are known. With chi_h = phi_m(h) .. phi_1(h), of order 1, and its adjoint
-//! chi*_h = phi_1(h) .. phi_m(h), a step is
+//! Let f = f_1 + .. + f_m with known flows phi_k. With chi_h = phi_m(h) .. phi_1(h), of order 1, and its adjoint chi*_h
+//! = phi_1(h) .. phi_m(h), a step is
 //!
 //!   chi*(a_2s h) chi(a_2s-1 h) .. chi*(a_2 h) chi(a_1 h)   with   a_i = a_(2s+1-i), sum a_i = 1 :
 //!
-//! symmetric, hence of even order, and inverted by a step of -h. An invariant, a bracket or a rate of volume that every
-//! flow preserves is preserved by the step too. Beyond order 2 some a_i are negative (Sheng 1989, Suzuki 1991): there a
-//! sub-step goes backwards against friction, and a component that decays as exp(-r t) grows by exp(r h |b|) before it
-//! decays again. The first piece flows for b = a_2i + a_2i+1 and the last for a_2i-1 + a_2i, where most of that cancels, in
-//! one of them more. Friction belongs into the first piece; where the most negative sub-step of the last piece is smaller,
-//! the pieces are taken in the opposite order.
+//! The step is symmetric, hence of even order, and a step of -h inverts it. Invariants, Poisson brackets and rates of
+//! volume that every sub-flow preserves are preserved by the step. For orders above 2 some a_i are negative (Sheng
+//! 1989, Suzuki 1991). A negative sub-step b runs friction backwards: a component that decays as exp(-r t) grows by
+//! exp(r h |b|) before it decays again. The sub-steps of the first piece are a_2i + a_2i+1, those of the last a_2i-1 +
+//! a_2i; in both, negative and positive coefficients largely cancel, but not equally. Friction belongs into the first
+//! piece. Where the last piece has the smaller negative sub-steps, the order of the pieces is reversed.
 
 use crate::Real;
 
-/// A composition, by inventors and order.
+/// A composition, named by authors and order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Splitting {
-    /// chi*(h/2) chi(h/2) (Strang 1968): order 2, no negative coefficient.
+    /// chi*(h/2) chi(h/2) (Strang 1968): order 2, no negative sub-step.
     Strang,
-    /// Order 4 with 6 stages, S6 of Blanes and Moan (2002): the first piece goes back by 0.042 of a step.
+    /// S6 of Blanes and Moan (2002): order 4, 6 stages; the most negative sub-step of the first piece is 0.042.
     BlanesMoan4,
-    /// Order 6 with 10 stages, S10 of Blanes and Moan (2002): the pieces in the opposite order, by which the first goes
-    /// back by 0.132 and not by 0.726.
+    /// S10 of Blanes and Moan (2002): order 6, 10 stages, with the pieces in reversed order; the most negative sub-step
+    /// of the first piece is then 0.132 instead of 0.726.
     BlanesMoan6,
-    /// Order 8 with 17 stages, of Kahan and Li (1997): the first piece goes back by 0.155.
+    /// Kahan and Li (1997): order 8, 17 stages; the most negative sub-step of the first piece is 0.155.
     KahanLi8,
 }
 
@@ -33,7 +33,7 @@ impl Splitting {
     pub const ALL: [Splitting; 4] =
         [Splitting::Strang, Splitting::BlanesMoan4, Splitting::BlanesMoan6, Splitting::KahanLi8];
 
-    /// The order in the step.
+    /// The order of convergence.
     pub fn order(self) -> u32 {
         match self {
             Splitting::Strang => 2,
@@ -43,7 +43,7 @@ impl Splitting {
         }
     }
 
-    /// s: the number of flows of the first piece and of the last in a step, and half of that of the pieces between.
+    /// The number of stages s: a step has s flows of the first piece, s of the last, and 2s of each piece between.
     pub fn stages(self) -> u64 {
         match self {
             Splitting::Strang => 1,
@@ -53,7 +53,7 @@ impl Splitting {
         }
     }
 
-    /// The inventors, with the order where they have several.
+    /// The authors, with the order where they have several methods.
     pub fn name(self) -> &'static str {
         match self {
             Splitting::Strang => "Strang",
@@ -63,12 +63,12 @@ impl Splitting {
         }
     }
 
-    /// Whether the coefficients are known to more than double precision.
+    /// Whether the coefficients are known to more digits than those of double precision.
     pub fn exact(self) -> bool {
         matches!(self, Splitting::Strang | Splitting::KahanLi8)
     }
 
-    /// a_1 .. a_2s.
+    /// The coefficients a_1 .. a_2s.
     pub fn coefficients<S: Real>(self) -> Vec<S> {
         match self {
             Splitting::Strang => vec![S::ratio(1, 2); 2],
@@ -81,7 +81,7 @@ impl Splitting {
                 &[0.148816447901042, -0.132385865767784, 0.067307604692185, 0.432666402578175],
             ),
             Splitting::KahanLi8 => halved(&[
-                // seventeen digits, and the next ten
+                // the first seventeen digits, then the next ten
                 (13_020_248_308_889_008, 0.087_881_763),
                 (56_116_298_177_510_838, 0.456_196_444),
                 (-38_947_496_264_484_728, -0.640_807_861),
@@ -94,20 +94,20 @@ impl Splitting {
         }
     }
 
-    /// Whether the most negative sub-step of the last piece is smaller than that of the first.
+    /// Whether the order of the pieces is reversed, since the last piece has the smaller negative sub-steps.
     fn turned(self) -> bool {
         self == Splitting::BlanesMoan6
     }
 
-    /// The size of the most negative sub-step of the first piece, as a part of the step.
+    /// The length of the most negative sub-step of the first piece, as a fraction of the step.
     pub fn most_negative_substep(self) -> f64 {
         let schedule = self.schedule::<f64>(2);
         let shares = schedule.iter().filter(|(piece, _)| *piece == 0).map(|(_, share)| *share);
         shares.fold(0.0, |back, share| (-share).max(back))
     }
 
-    /// The pieces, of which there are at least one, in the order in which they flow in a step, each with its share of
-    /// it.
+    /// The sequence of sub-flows of a step for `pieces` >= 1 pieces: the index of the piece, and its fraction of the
+    /// step.
     pub fn schedule<S: Real>(self, pieces: usize) -> Vec<(usize, S)> {
         let mut schedule: Vec<(usize, S)> = Vec::new();
         for (place, share) in self.coefficients::<S>().into_iter().enumerate() {
@@ -124,8 +124,8 @@ impl Splitting {
     }
 }
 
-/// From the shares of the first piece, A_1 .. A_r, and of the last, B_1 .. B_(r-1), in half a step: A_1 = a_1,
-/// B_1 = a_1 + a_2, A_2 = a_2 + a_3, ...; all B sum to one half.
+/// The coefficients from the sub-steps of the first piece, A_1 .. A_r, and of the last, B_1 .. B_(r-1), in half a step:
+/// A_1 = a_1, B_1 = a_1 + a_2, A_2 = a_2 + a_3, ...; all B sum to one half.
 fn alternating<S: Real>(first: &[f64], last: &[f64]) -> Vec<S> {
     let rest = last.iter().fold(S::ratio(1, 2), |rest, share| rest - S::lift(*share));
     let last = last.iter().map(|share| S::lift(*share)).chain([rest]);
@@ -137,7 +137,8 @@ fn alternating<S: Real>(first: &[f64], last: &[f64]) -> Vec<S> {
     mirrored(half.collect())
 }
 
-/// Symmetric steps of order 2: their shares in units of 1e-17, each with its remainder, and one in the middle.
+/// The coefficients of a symmetric composition of steps of order 2. The arguments are their fractions in units of
+/// 1e-17, each with its remainder; the fraction of the middle step follows, since all sum to one.
 fn halved<S: Real>(shares: &[(i64, f64)]) -> Vec<S> {
     let unit = S::int(100_000_000_000_000_000);
     let shares: Vec<S> = shares.iter().map(|(whole, rest)| (S::int(*whole) + S::lift(*rest)) / unit).collect();
@@ -164,7 +165,7 @@ mod tests {
         }
     }
 
-    /// Friction in the first piece fades as the documentation promises.
+    /// The most negative sub-steps are those of the documentation.
     #[test]
     fn the_first_piece_goes_back_by_as_much_as_is_said() {
         for (splitting, most) in Splitting::ALL.into_iter().zip([0.0, 0.042, 0.132, 0.155]) {

@@ -1,9 +1,9 @@
-//! Laws held to constraints by multipliers: DAEs of index 2.
+//! Differential-algebraic equations of index 2: laws with constraints and multipliers.
 
 use super::Dual8;
 use field::{DoubleDouble, Scalar};
 
-/// y' = f(t, y) + B(t, y) z, 0 = g(t, y) over one field. Nothing in it may allocate.
+/// The equations y' = f(t, y) + B(t, y) z, 0 = g(t, y) over one scalar type. Implementations must not allocate.
 pub trait Index2Dae<S: Scalar> {
     /// The numbers of components of y and of z.
     fn sizes(&self) -> (usize, usize);
@@ -11,13 +11,13 @@ pub trait Index2Dae<S: Scalar> {
     /// dy = f(t, y) + B(t, y) z.
     fn rates(&self, t: S, y: &[S], z: &[S], dy: &mut [S]);
 
-    /// dy = f(t, y), and the columns of B one after the other.
+    /// Writes dy = f(t, y), and the columns of B one after the other.
     fn parts(&self, t: S, y: &[S], dy: &mut [S], columns: &mut [S]);
 
-    /// g(t, y).
+    /// Writes the residuals g(t, y).
     fn constraints(&self, t: S, y: &[S], g: &mut [S]);
 }
 
-/// One such law over the three fields of a computation. A law generic over `S: Over<f64> + Analytic` needs one more
-/// line, `impl Index2DaeSystem for Mine {}`.
+/// An index-2 DAE over the three scalar types of a run. A type that is generic over `S: Over<f64> + Analytic` needs one
+/// more line, `impl Index2DaeSystem for Mine {}`.
 pub trait Index2DaeSystem: Index2Dae<f64> + Index2Dae<Dual8> + Index2Dae<DoubleDouble> {}

@@ -1,24 +1,24 @@
-//! The Jacobian of a law: its own code, or forward differentiation with eight columns an evaluation. Buffers made once.
+//! The Jacobian of a law: by its own code, or by forward differentiation with eight columns per evaluation.
 //!
-//! The rules of differentiation give 0/0 where a root vanishes: for the drag -c |v| v at rest, whose derivatives are zero there.
-//! The Jacobian is then taken at a state a little further along the motion.
+//! The rules of differentiation give 0/0 where a square root vanishes, for example for the drag -c |v| v at rest, whose
+//! derivatives are zero there. In that case the Jacobian is evaluated slightly later along the motion.
 
 use num_dual::Derivative;
 
 use crate::{DIRECTIONS, Dual8, JacobianFn, Ode, System};
 
-/// df/dy, and df/dt where asked for, of a law of any dimension.
+/// Computes df/dy and df/dt of a law. The buffers are allocated once.
 pub struct Jacobian<'a> {
     law: &'a dyn Ode<Dual8>,
     y: Vec<Dual8>,
     dy: Vec<Dual8>,
     code: Option<Box<dyn JacobianFn + 'a>>,
-    /// The law whose rates lead further along the motion.
+    /// The law that gives the direction of motion where the Jacobian is undefined.
     system: Option<&'a dyn System>,
 }
 
-/// The time along the motion after which a Jacobian is taken where it is undefined at the state, s; no component of the state
-/// moves by more than [`NEAR`] of the largest.
+/// The time shift (s) along the motion where the Jacobian is undefined at the state. No component of the state moves by
+/// more than [`NEAR`] times the largest component.
 const FURTHER: f64 = 1e-10;
 
 const NEAR: f64 = 1e-8;
@@ -30,29 +30,30 @@ impl<'a> Jacobian<'a> {
         Jacobian { law, y: zeros.clone(), dy: zeros, code: None, system: None }
     }
 
-    /// The Jacobian by the system's own code where it has any.
+    /// The Jacobian by the system's own code where it has one, otherwise by forward differentiation.
     pub fn of(system: &'a dyn System) -> Self {
         Jacobian { code: system.jacobian_fn(), system: Some(system), ..Jacobian::new(system) }
     }
 
-    /// Bytes of the machine code of [`Self::matrix`]; `None` where the law is differentiated over dual numbers.
+    /// The size in bytes of the machine code of [`Self::matrix`]; `None` where the law is differentiated over dual
+    /// numbers.
     pub fn code_size(&self) -> Option<usize> {
         self.code.as_ref()?.code_size()
     }
 
-    /// `matrix[i * n + j]` = df_i / dy_j at (t, y).
+    /// Writes df/dy at (t, y): `matrix[i * n + j]` = df_i / dy_j.
     pub fn matrix(&mut self, t: f64, y: &[f64], matrix: &mut [f64]) {
         self.matrix_at(t, y, matrix);
         self.or_beside((t, y), matrix, Self::matrix_at);
     }
 
-    /// `slopes[i]` = df_i / dt at (t, y).
+    /// Writes df/dt at (t, y): `slopes[i]` = df_i / dt.
     pub fn time_derivatives(&mut self, t: f64, y: &[f64], slopes: &mut [f64]) {
         self.time_slopes_at(t, y, slopes);
         self.or_beside((t, y), slopes, Self::time_slopes_at);
     }
 
-    /// Replaces derivatives that are NaN, where the rates are finite, by those a little further along the motion.
+    /// Replaces derivatives that are NaN, where the rates are finite, by derivatives slightly later along the motion.
     fn or_beside(
         &mut self,
         (t, y): (f64, &[f64]),
@@ -113,7 +114,7 @@ impl<'a> Jacobian<'a> {
     }
 }
 
-/// A number that varies along direction k.
+/// A dual number with the derivative one along direction k.
 pub fn variable(value: f64, k: usize) -> Dual8 {
     Dual8::from_re(value).derivative(k)
 }

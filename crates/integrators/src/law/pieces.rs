@@ -1,22 +1,22 @@
-//! Laws that are a sum of fields with known flows.
+//! Laws that are sums of vector fields with known flows, for splitting methods.
 
-/// A law as a sum of fields, each with a flow that is known.
+/// A law as a sum of vector fields ("pieces"), each with a known flow.
 pub trait Pieces<S> {
-    /// A state in the coordinates of the pieces.
+    /// A state, in coordinates in which the flows are computed.
     type Point;
-    /// The data of a piece for a length of time, computed once and used in every flow of that length.
+    /// Precomputed data of a flow over one time length.
     type Substep;
 
-    /// The number of pieces. The first has the smallest negative sub-steps: friction belongs there.
+    /// The number of pieces. Friction belongs into the first piece, whose negative sub-steps are the smallest.
     fn pieces(&self) -> usize;
 
-    /// Converts a state of the law.
+    /// Converts a state of the law to a point.
     fn enter(&self, y: &[S]) -> Self::Point;
 
-    /// Converts to a state of the law. Must not allocate.
+    /// Converts a point to a state of the law. Must not allocate.
     fn leave(&self, point: &Self::Point, y: &mut [S]);
 
-    /// The data of a piece for a length of time, which may be negative.
+    /// The data for the flow of a piece over `length`, which may be negative.
     fn substep(&self, piece: usize, length: S) -> Self::Substep;
 
     /// The largest decay rate in the first piece at a point, 1/s; zero where nothing decays.
@@ -24,24 +24,24 @@ pub trait Pieces<S> {
         0.0
     }
 
-    /// Flows along a piece; false where no point is reached. Must not allocate.
+    /// Applies the flow of a piece; false where the flow does not exist for this length. Must not allocate.
     fn flow(&self, piece: usize, substep: &Self::Substep, point: &mut Self::Point) -> bool;
 }
 
-/// A composition at work, with the type of its pieces erased.
+/// A splitting method for one law, as an object type.
 pub trait Composed<S> {
-    /// The length of the steps from now on, negative for backwards.
+    /// Sets the step size, which is negative for runs backwards in time.
     fn prepare(&mut self, step: S);
 
-    /// Takes a state of the law.
+    /// Sets the state.
     fn enter(&mut self, y: &[S]);
 
-    /// The largest rate of decay in the first piece at the present state.
+    /// The largest decay rate in the first piece at the present state, 1/s.
     fn decay_rate(&self) -> f64;
 
-    /// Makes one step; false where no point is reached.
+    /// Makes one step; false where a flow does not exist.
     fn advance(&mut self) -> bool;
 
-    /// The state of the law.
+    /// Writes the present state.
     fn leave(&self, y: &mut [S]);
 }

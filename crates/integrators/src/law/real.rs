@@ -1,13 +1,13 @@
-//! The ordered fields in which trajectories are computed.
+//! Ordered scalar types for integration.
 
 use field::{Analytic, Base, DoubleDouble, Over};
 
-/// A field of rounded real numbers: a law may not compare, but the step size control must.
+/// A type of rounded real numbers. Laws may not compare numbers; step size control must.
 pub trait Real: Analytic + Base + Over<f64> + PartialOrd {
-    /// The distance from 1 to the next number.
+    /// The distance from 1 to the next larger number.
     const EPSILON: f64;
 
-    /// The nearest `f64`: for norms, step sizes and reports.
+    /// The nearest `f64`, for norms, step sizes and reports.
     fn approx(self) -> f64;
 
     /// e^x.
@@ -18,7 +18,7 @@ pub trait Real: Analytic + Base + Over<f64> + PartialOrd {
         if self < Self::zero() { -self } else { self }
     }
 
-    /// Neither infinite nor undefined.
+    /// Whether the number is neither infinite nor NaN.
     fn finite(self) -> bool {
         self.approx().is_finite()
     }

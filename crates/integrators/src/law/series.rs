@@ -2,32 +2,32 @@
 
 use field::Scalar;
 
-/// A source of Taylor coefficients: the recurrences of a system's expression graph.
+/// Taylor series of the solutions of a law, by the recurrences of its expression graph.
 pub trait TaylorSeries<S: Scalar> {
-    /// Expands the solution through (t, y) up to an order.
+    /// Computes the Taylor coefficients of the solution through (t, y) up to an order.
     fn expand(&mut self, t: S, y: &[S], order: usize);
 
-    /// As [`expand`](Self::expand), where the digits of `f64` suffice for the coefficients after the order `fine`. Returns the
-    /// order up to which they have all digits of the field.
+    /// As [`expand`](Self::expand), but coefficients above the order `fine` need only the digits of `f64`. Returns the
+    /// order up to which the coefficients have the full precision of the type.
     fn expand_rounding(&mut self, t: S, y: &[S], order: usize, _fine: usize) -> usize {
         self.expand(t, y, order);
         order
     }
 
-    /// The coefficients of order k of the last expansion, which are the k-th derivatives over k!, for k up to its order.
+    /// The coefficients of order k of the last expansion, y^(k) / k!.
     fn coefficients(&self, k: usize) -> &[S];
 
-    /// The sum of the last expansion at h.
+    /// Evaluates the last series at the time h after the expansion point.
     fn sum(&self, h: S, out: &mut [S]);
 
-    /// The longest step over which the terms of the last expansion show the law: far from zero exp(-x) has no terms, and a step to
-    /// zero would not see it.
+    /// The longest step for which the series represents the law. Far from zero, for example, the terms of exp(-x)
+    /// vanish, and a step to zero would miss the function.
     fn shown(&self) -> f64 {
         f64::INFINITY
     }
 
-    /// Whether the law has roots or angles: the series of one continues along its branch where the law takes another, as the root of x^2
-    /// does at x = 0.
+    /// Whether the law has square roots or angles. A series continues their smooth branch, where the law may change to
+    /// another: sqrt(x^2) = |x| at x = 0.
     fn has_branches(&self) -> bool {
         false
     }

@@ -1,29 +1,29 @@
-//! Bounds of steps where a law changes fast by itself.
+//! Upper bounds of the step size where a law changes rapidly with time.
 //!
-//! The error estimate of a step sees the law at its stages. A force that lasts for less time than lies between two stages is passed over,
-//! although every estimate is small. Where functions of the time alone show such intervals, steps are bounded there.
+//! The error estimate of a step depends on the law at its stages only. A force that acts for less time than the
+//! distance of two stages is missed. Where functions of the time alone show such intervals, the step size is bounded
+//! there.
 
 use std::sync::Arc;
 
-/// A time about which a law changes fast.
+/// A time interval in which a law changes rapidly. Times in s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FastInterval {
     pub from: f64,
     pub to: f64,
-    /// The longest step within the interval.
+    /// The largest step size within the interval, s.
     pub step: f64,
 }
 
-/// Disjoint intervals of a run in ascending order, with the longest step in each; steps between them are not bounded.
+/// Disjoint time intervals in ascending order, with the largest step size in each; between them steps are not bounded.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StepBounds {
-    /// The beginning of each interval, as time since the start of the run, and the longest step in it.
+    /// The beginning of each interval, in s since the start of the run, and the largest step size from there on.
     stretches: Arc<[(f64, f64)]>,
 }
 
 impl StepBounds {
-    /// The bounds for a run between two times, the second of which may be the earlier one; the given intervals may
-    /// overlap.
+    /// The bounds for a run from `from` to `to`, in either direction. The given intervals may overlap.
     pub fn of(from: f64, to: f64, all: &[FastInterval]) -> Self {
         let since = |time: f64| (time - from) * (to - from).signum();
         let length = since(to);
@@ -55,18 +55,19 @@ impl StepBounds {
         StepBounds { stretches: stretches.into() }
     }
 
-    /// The bounds for a run with a time scaled by this factor.
+    /// The bounds for a run whose time is scaled by a factor.
     pub fn paced(&self, factor: f64) -> Self {
         StepBounds { stretches: self.stretches.iter().map(|(begin, step)| (begin * factor, step * factor)).collect() }
     }
 
-    /// Whether no step is bounded.
+    /// Whether there are no bounds.
     pub fn is_empty(&self) -> bool {
         self.stretches.is_empty()
     }
 
-    /// The longest step from a time since the start, of those that are at most as long as one: it ends where an interval begins, unless the
-    /// way there is shorter than the longest step in it. A series from far away shows nothing of the law in such an interval.
+    /// The largest step size at a time since the start, at most `most`. The step ends where an interval begins, unless
+    /// it is then shorter than the largest step of that interval: a series from outside does not represent the law
+    /// within.
     pub fn longest(&self, tau: f64, most: f64) -> f64 {
         let behind = self.stretches.partition_point(|(begin, _)| *begin <= tau);
         let own = behind.checked_sub(1).map_or(f64::INFINITY, |place| self.stretches[place].1);

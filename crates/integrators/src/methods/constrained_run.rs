@@ -1,23 +1,23 @@
-//! A law with a method for it, whatever treats its constraints.
+//! One interface for runs of all kinds of laws: ordinary differential equations, DAEs, and hybrid motions with events.
 
 use crate::{Index2DaeSystem, Index2Method, Method, Observer, Outcome, Span, System, Tolerance};
 use crate::{integrate, integrate_index2};
 use std::fmt;
 
-/// A law with the method that runs it.
+/// A law with the method that integrates it.
 #[derive(Clone, Copy)]
 pub enum Attempt<'a> {
-    /// y' = f(t, y).
+    /// An ordinary differential equation y' = f(t, y).
     Integrated(&'a dyn System, Method),
-    /// Held to its constraints by multipliers.
+    /// A DAE of index 2.
     Held(&'a dyn Index2DaeSystem, Index2Method),
-    /// Law after law, across events.
+    /// A hybrid motion: several laws in sequence, separated by events.
     Hybrid(&'a dyn HybridMotion, Method),
 }
 
-/// A motion of many laws, one after another, which finds its events itself.
+/// A motion by several laws in sequence, which locates its events itself.
 pub trait HybridMotion {
-    /// The number of states of each law.
+    /// The number of states, equal for all laws.
     fn dimension(&self) -> usize;
 
     /// Whether each law has a Taylor series.
@@ -25,7 +25,7 @@ pub trait HybridMotion {
         false
     }
 
-    /// Runs it over a span; the evaluations of its budget are those of one law.
+    /// Integrates over a span. The budget of evaluations counts evaluations of the active law.
     fn run(
         &self,
         method: Method,
@@ -35,7 +35,7 @@ pub trait HybridMotion {
     ) -> Outcome<f64>;
 }
 
-/// The method that runs a law, without the law.
+/// The method of an [`Attempt`], without the law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Means {
     Integrated(Method),
@@ -50,7 +50,7 @@ impl Attempt<'_> {
         }
     }
 
-    /// Runs it; a constant step follows no tolerance.
+    /// Integrates the law. Methods with a constant step ignore the tolerance.
     pub fn run(&self, tolerance: &Tolerance, span: &Span<'_, f64>, observer: &mut dyn Observer<f64>) -> Outcome<f64> {
         match *self {
             Attempt::Integrated(system, method) => integrate(system, method, tolerance, span, observer),
@@ -59,7 +59,7 @@ impl Attempt<'_> {
         }
     }
 
-    /// The cost of the run in evaluations of the rates: a Jacobian counts as its number of columns, a correction onto the
+    /// The cost of a run in evaluations of the rates: a Jacobian counts as its number of columns, a projection onto the
     /// constraints as one.
     pub fn evaluations(&self, work: &crate::Work) -> u64 {
         let columns = match *self {
@@ -75,7 +75,7 @@ impl Attempt<'_> {
 }
 
 impl Means {
-    /// The number of equal steps; `None` where the method follows a tolerance.
+    /// The number of equal steps; `None` for a method with step size control.
     pub fn steps(self) -> Option<u32> {
         match self {
             Means::Integrated(method) => method.steps(),

@@ -1,31 +1,32 @@
-//! Order and step size control of an extrapolation method: the pair with the least work per unit of time.
+//! Order and step size control of an extrapolation method: it minimises the work per unit of time.
 //!
-//! After Deuflhard (Numer. Math. 41, 1983; SIAM Review 27, 1985); Hairer, Norsett and Wanner I, II.9, and Hairer and
-//! Wanner II, IV.9. A row of the table is a run with n_j substeps; the error of row j is |T_{j,j} - T_{j,j-1}|, which
-//! goes with the power 2 j - 1 of the step, since the basic methods have expansions in squares; with 2 j - 2 where a last
-//! mean that damps leaves a square of the shortest step in every row.
+//! After Deuflhard (Numer. Math. 41, 1983; SIAM Review 27, 1985); Hairer, Norsett and Wanner I, II.9; Hairer and Wanner
+//! II, IV.9. Row j of the table is a run with n_j substeps. The error of row j is |T_{j,j} - T_{j,j-1}|, which is
+//! proportional to the power 2 j - 1 of the step size, since the basic methods have expansions in squares. The power is
+//! 2 j - 2 for methods whose rows end with a damping mean: the mean leaves a term in the square of the smallest substep
+//! in every row.
 
 use crate::run::stepping::{Attempt, Cause};
 
-/// The order of an extrapolation method during a run. Rows and columns count from 1, as in the formulas.
+/// The state of the order control. Rows and columns are numbered from 1, as in the formulas.
 pub(crate) struct Columns {
     /// The column at which convergence is expected.
     target: usize,
-    /// n_j.
+    /// The numbers of substeps n_j.
     substeps: Vec<usize>,
-    /// The work of all rows up to j.
+    /// The work of rows 1 to j, in evaluations.
     costs: Vec<f64>,
-    /// The best step for each column, and its work per unit of time.
+    /// The optimal step size for each column, and its work per unit of time.
     steps: Vec<f64>,
     efforts: Vec<f64>,
     after_rejection: bool,
-    /// Whether the rows end with a damping mean. A step is then rejected at the last row only: the coarse rows of a
-    /// stiff law say little of the fine ones, which damp the components that the coarse ones do not.
+    /// Whether the rows end with a damping mean. A step is then rejected at the last row only: for stiff laws the
+    /// errors of coarse rows say little about those of fine rows, which damp more components.
     damped: bool,
 }
 
 impl Columns {
-    /// `costs[j - 1]` is the work of all rows up to j.
+    /// `costs[j - 1]` is the work of rows 1 to j.
     pub fn new(substeps: Vec<usize>, costs: Vec<f64>, target: usize) -> Self {
         let most = substeps.len();
         let target = target.clamp(2, most - 1);
@@ -45,7 +46,7 @@ impl Columns {
         (self.target + 1).min(self.substeps.len())
     }
 
-    /// The order at which the next step will be tried.
+    /// The order of the next attempt.
     pub fn order(&self) -> u32 {
         2 * self.target as u32
     }
@@ -55,12 +56,12 @@ impl Columns {
         self.substeps[j - 1]
     }
 
-    /// Marks a method whose rows end with a damping mean: a step is rejected at the last row only.
+    /// Marks a method whose rows end with a damping mean: its steps are rejected at the last row only.
     pub fn damped(self) -> Self {
         Columns { damped: true, ..self }
     }
 
-    /// Takes the error of row j, from 2 on; returns the result of the attempt, where that is decided.
+    /// Records the error of row j >= 2. Returns the result of the attempt once it is decided.
     pub fn judge(&mut self, j: usize, error: f64, step: f64) -> Option<Attempt> {
         if !error.is_finite() {
             return Some(self.fail(step, Cause::Undefined));
@@ -79,7 +80,7 @@ impl Columns {
         if self.damped {
             return (j == last).then(|| Attempt::Rejected { next: self.after_failure(), cause: Cause::Error });
         }
-        // each further row shrinks the error at least so: hopeless if that is not enough
+        // each further row reduces the error by at least this factor; otherwise convergence is impossible
         let gain = |to: usize| (j + 1..=to).map(|k| self.ratio(k)).product::<f64>();
         if error <= gain(last) {
             return None;
@@ -90,7 +91,7 @@ impl Columns {
         Some(Attempt::Rejected { next: factor * step, cause: Cause::Error })
     }
 
-    /// Rejects a step without a result, and hence without an error.
+    /// Rejects a step that has no result.
     pub fn fail(&mut self, step: f64, cause: Cause) -> Attempt {
         self.after_rejection = true;
         Attempt::Rejected { next: step / 4.0, cause }
@@ -101,7 +102,7 @@ impl Columns {
         (self.substeps(k) as f64 / self.substeps(1) as f64).powi(2)
     }
 
-    /// Order and step after success at column `reached`.
+    /// Sets the order, and returns the step size, after convergence at column `reached`.
     fn after_success(&mut self, reached: usize) -> f64 {
         let (most, target, w) = (self.substeps.len(), self.target, &self.efforts);
         let cost = |j: usize| self.costs[j - 1];
@@ -130,7 +131,7 @@ impl Columns {
         step
     }
 
-    /// Order and step after the whole table did not converge.
+    /// Sets the order, and returns the step size, after the whole table did not converge.
     fn after_failure(&mut self) -> f64 {
         if self.target > 2 && self.efforts[self.target - 1] < 0.8 * self.efforts[self.target] {
             self.target -= 1;
@@ -139,7 +140,7 @@ impl Columns {
         self.steps[self.target]
     }
 
-    /// The exponent of the error of row j in the control of the step size.
+    /// The exponent of the error of row j in the step size control.
     fn power(&self, j: usize) -> f64 {
         1.0 / (2 * j - if self.damped { 2 } else { 1 }) as f64
     }

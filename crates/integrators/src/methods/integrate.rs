@@ -1,4 +1,4 @@
-//! The one entry to all methods.
+//! Entry points of integration: they check the data, select the method and run it.
 
 use crate::law::jacobian::Jacobian;
 use crate::methods::adaptors::ryan_gast::{self, Choice};
@@ -18,9 +18,9 @@ use crate::run::watch::Watch;
 use crate::run::within::Within;
 use crate::{End, Failure, Method, Observer, Outcome, Real, Refusal, Span, System, Tolerance, Work, Working};
 
-/// Integrates a system over a span. The tolerance is ignored by a method with a constant step.
+/// Integrates a system over a span. Methods with a constant step ignore the tolerance.
 ///
-/// Never panics and never returns NaN: a failure is the outcome's end.
+/// Never panics and never returns NaN: a failure is the `end` of the outcome.
 pub fn integrate(
     system: &dyn System,
     method: Method,
@@ -50,7 +50,7 @@ pub fn integrate(
     prepared(system, method, tolerance, span, (observer, &again), run)
 }
 
-/// Integrates in any working field: the methods that are `exact` by their traits, the others are refused.
+/// Integrates in any scalar type. Only methods with `exact` in their [`Traits`](super::Traits) are accepted.
 pub fn integrate_in<S: Working>(
     system: &dyn System,
     method: Method,
@@ -63,7 +63,7 @@ pub fn integrate_in<S: Working>(
     prepared(system, method, tolerance, span, (observer, &again), run)
 }
 
-/// Gauss collocation with the integral of the spectral radius along its run, a measure of stiffness.
+/// Gauss collocation. Also returns the integral of the spectral radius over the run, a measure of stiffness.
 pub(crate) fn collocate_gauss<S: Working>(
     system: &dyn System,
     stages: u8,
@@ -97,7 +97,7 @@ fn run_pair(
 /// Runs the method over another span, without an observer.
 type Again<'a, S> = &'a dyn Fn(&Span<'_, S>) -> Outcome<S>;
 
-/// Checks the data, then runs.
+/// Checks the data, then runs the method.
 fn prepared<S: Working>(
     system: &dyn System,
     method: Method,
@@ -124,7 +124,7 @@ fn prepared<S: Working>(
     }
 }
 
-/// A run that did not begin.
+/// The outcome of a run with invalid data.
 pub(crate) fn refused<S: Real>(span: &Span<'_, S>, refusal: Refusal) -> Outcome<S> {
     Outcome {
         end: End::Stopped(Failure::Refused(refusal)),
@@ -135,7 +135,7 @@ pub(crate) fn refused<S: Real>(span: &Span<'_, S>, refusal: Refusal) -> Outcome<
     }
 }
 
-/// The methods with a constant step, over any field; none for the others.
+/// The methods with a constant step, over any scalar type; `None` for other methods.
 pub(crate) fn constant<'a, S: Real>(
     jacobian: impl FnOnce() -> Jacobian<'a>,
     method: Method,
@@ -152,7 +152,7 @@ pub(crate) fn constant<'a, S: Real>(
     })
 }
 
-/// The methods of this crate, over any field.
+/// Runs a method of this crate, over any scalar type.
 fn run_own<S: Working>(
     system: &dyn System,
     method: Method,
@@ -202,7 +202,7 @@ fn run_own<S: Working>(
     }
 }
 
-/// A collocation method, and the integral of the spectral radius along its run.
+/// Runs a collocation method. Also returns the integral of the spectral radius over the run.
 fn collocate<S: Real>(
     system: &dyn System,
     family: Family,
@@ -212,7 +212,7 @@ fn collocate<S: Real>(
     watch: Watch<'_, '_, S>,
 ) -> (Outcome<S>, f64) {
     let mut stepper = Implicit::new(family, stages, Jacobian::of(system), tolerance, meter.dimension());
-    // the stages alone must follow the first step: their order, not the higher one at its end
+    // the first step is chosen for the order s of the stages, not for the higher order at the end of the step
     let first = first_step(meter, watch.state(), tolerance, stages as u32, watch.length().approx());
     let outcome = drive(&mut stepper, first, meter, watch);
     (outcome, stepper.turns)

@@ -1,27 +1,28 @@
-//! The methods by name, and their properties.
+//! The integration methods and their properties.
 
 use std::fmt;
 
 use crate::{Refusal, Splitting};
 
-/// The most stages of a collocation method: tested to 30 digits up to here.
+/// The largest number of stages of a collocation method; tested to 30 digits.
 pub const MOST_STAGES: u8 = 20;
 
-/// The most unknowns of one implicit step: its dense matrix has this number squared.
+/// The largest number of unknowns n of one implicit step: its matrix has n^2 entries.
 const MOST_UNKNOWNS: usize = 4000;
 
-/// A method, by inventor and stages.
+/// A method of integration. Those with `steps` make equal steps over the span; the others control the step size by the
+/// tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Method {
-    /// Explicit Euler with so many equal steps over the span.
+    /// The explicit Euler method.
     Euler { steps: u32 },
-    /// The classical Runge-Kutta method of order 4 with so many equal steps over the span.
+    /// The classical Runge-Kutta method of order 4.
     RungeKutta4 { steps: u32 },
-    /// Backward Euler with so many equal steps over the span.
+    /// The backward Euler method.
     BackwardEuler { steps: u32 },
-    /// The implicit midpoint rule with so many equal steps over the span.
+    /// The implicit midpoint rule.
     ImplicitMidpoint { steps: u32 },
-    /// Compositions of the flows of a law's pieces with so many equal steps over the span, for systems that offer them.
+    /// A splitting method, for systems that provide the flows of their pieces.
     Split { splitting: Splitting, steps: u32 },
     /// Dormand-Prince 5(4).
     DormandPrince5,
@@ -45,20 +46,20 @@ pub enum Method {
     Rodas4,
     /// Bader and Deuflhard's extrapolation of the linearly implicit midpoint rule, variable order.
     BaderDeuflhard,
-    /// Taylor's method after Jorba and Zou, for systems that offer their coefficients.
+    /// Taylor's method after Jorba and Zou (2005), for systems that provide Taylor series.
     Taylor,
 }
 
-/// Properties of a method that are known before it runs.
+/// Properties of a method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Traits {
-    /// The order in the step; none where it varies with the tolerance.
+    /// The order of convergence; `None` where it varies.
     pub order: Option<u32>,
-    /// Solves equations in each step: takes stiff problems.
+    /// Whether each step solves equations: such methods are suited for stiff problems.
     pub implicit: bool,
-    /// Follows a tolerance; a method that does not has a constant step.
+    /// Whether the step size is controlled by a tolerance; otherwise it is constant.
     pub adaptive: bool,
-    /// Runs in double-double too.
+    /// Whether the method also runs in double-double.
     pub exact: bool,
 }
 
@@ -89,7 +90,7 @@ impl Method {
         }
     }
 
-    /// The number of equal steps; `None` where the method follows a tolerance.
+    /// The number of equal steps; `None` for a method with step size control.
     pub fn steps(self) -> Option<u32> {
         match self {
             Method::Euler { steps }
@@ -101,7 +102,7 @@ impl Method {
         }
     }
 
-    /// The method with another number of steps, where they are constant.
+    /// The method with another number of equal steps; unchanged with step size control.
     fn with_steps(self, steps: u32) -> Self {
         match self {
             Method::Euler { .. } => Method::Euler { steps },
@@ -113,18 +114,17 @@ impl Method {
         }
     }
 
-    /// The method with one step over the span, where steps are constant.
+    /// The method with a single step over the span; unchanged with step size control.
     pub fn once(self) -> Self {
         self.with_steps(1)
     }
 
-    /// The method with so many times as many steps; `None` where it follows a tolerance, or where they are too many to
-    /// count.
+    /// The method with `times` as many steps; `None` for a method with step size control, or on overflow.
     pub fn refined(self, times: u32) -> Option<Self> {
         Some(self.with_steps(self.steps()?.checked_mul(times)?))
     }
 
-    /// Refuses settings with which no run of this method could work.
+    /// Checks the settings of the method.
     pub(crate) fn check(self, dimension: usize) -> Result<(), Refusal> {
         match self {
             Method::Euler { steps: 0 }

@@ -3,12 +3,13 @@
 //! # Overview
 //! * [`explicit`]: Euler and Runge-Kutta with a constant step, Dormand-Prince, Gragg-Bulirsch-Stoer;
 //! * [`implicit`]: backward Euler and the midpoint rule, collocation, Rodas4, Bader-Deuflhard;
-//! * [`taylor`]: series of a law, and state-transition matrices;
-//! * [`splitting`]: flows of the pieces of a law;
-//! * [`dae`]: laws that multipliers hold to constraints, DAEs of index 2;
+//! * [`taylor`]: Taylor's method, and state-transition matrices;
+//! * [`splitting`]: compositions of the flows of the pieces of a law;
+//! * [`dae`]: DAEs of index 2;
 //! * [`adaptors`]: solvers of other crates.
 //!
-//! [`Method`] names them, [`integrate`](fn@integrate) runs them on a law, [`integrate_index2()`] on a law with constraints, [`Attempt`] on either.
+//! [`Method`] names the methods. [`integrate`](fn@integrate) runs them on an ordinary differential equation,
+//! [`integrate_index2()`] on a DAE, [`Attempt`] on either.
 
 mod adaptors;
 mod constrained_run;

@@ -1,10 +1,10 @@
-//! Splitting methods: a step is made of the flows of the pieces of a law.
+//! Splitting methods: a step is a composition of the flows of the pieces of a law.
 
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::{Attempt, Cause, Stepper};
 use crate::{Composed, Pieces, Real, Splitting};
 
-/// Composes pieces.
+/// The composition of the flows of pieces in the order of a splitting.
 pub fn compose<'a, S: Real, G: Pieces<S> + 'a>(pieces: G, splitting: Splitting) -> Box<dyn Composed<S> + 'a> {
     let schedule = splitting.schedule(pieces.pieces());
     Box::new(Composition { pieces, schedule, flows: Vec::new(), point: None })
@@ -12,7 +12,7 @@ pub fn compose<'a, S: Real, G: Pieces<S> + 'a>(pieces: G, splitting: Splitting) 
 
 struct Composition<S, G: Pieces<S>> {
     pieces: G,
-    /// The pieces with their shares of a step, in order.
+    /// The sub-flows of a step in order: the piece, and its fraction of the step.
     schedule: Vec<(usize, S)>,
     flows: Vec<(usize, G::Substep)>,
     point: Option<G::Point>,
@@ -45,13 +45,13 @@ impl<S: Real, G: Pieces<S>> Composed<S> for Composition<S, G> {
     }
 }
 
-/// The largest logarithm of the growth of a decaying component over a backward sub-step. The rest of the growth acts
-/// like friction that is wrong by this factor; from exp(4) on it grows from step to step.
+/// The largest allowed logarithm of the growth of a decaying component over a negative sub-step. Friction is then wrong
+/// by the factor exp of it at most; from exp(4) on the component grows from step to step.
 const MOST_GROWTH: f64 = 2.0;
 
 impl Splitting {
-    /// The longest step where the first piece decays at this rate, 1/s; infinite where nothing decays, or no sub-step
-    /// goes backwards.
+    /// The largest step size (s) for a decay rate of the first piece (1/s); infinite where nothing decays, or no
+    /// sub-step is negative.
     pub fn longest_step(self, rate: f64) -> f64 {
         longest(self.most_negative_substep(), rate)
     }
@@ -61,15 +61,15 @@ fn longest(back: f64, rate: f64) -> f64 {
     MOST_GROWTH / (rate * back)
 }
 
-/// The method with a constant step. It stays in the coordinates of the pieces from step to step: no rounding comes from
-/// going there and back.
+/// A splitting method with a constant step. The state remains in the coordinates of the pieces between steps, which
+/// avoids rounding errors by conversion.
 pub(crate) struct Split<'a, S> {
     composed: Box<dyn Composed<S> + 'a>,
     stages: u64,
-    /// The size of the most negative sub-step of the first piece, as a part of the step.
+    /// The length of the most negative sub-step of the first piece, as a fraction of the step.
     back: f64,
     fixed: S,
-    /// The step that the composition is prepared for, and the state that its last step ended in.
+    /// The step size for which the composition is prepared, and the state at the end of its last step.
     step: Option<S>,
     left: Vec<S>,
 }
@@ -80,7 +80,7 @@ impl<'a, S: Real> Split<'a, S> {
         Split { composed, stages, back, fixed, step: None, left: Vec::new() }
     }
 
-    /// Why a step is refused in whose backward sub-steps a decaying component would grow too much.
+    /// The cause of rejection for a step whose negative sub-steps would amplify a decaying component too much.
     fn too_far_back(&self, step: f64) -> Option<Cause> {
         if self.back == 0.0 {
             return None;
@@ -94,7 +94,7 @@ impl<'a, S: Real> Split<'a, S> {
 impl<S: Real> Stepper<S> for Split<'_, S> {
     fn attempt(&mut self, _tau: S, before: &[S], step: S, after: &mut [S], meter: &BudgetedRhs<S>) -> Attempt {
         let failed = |cause| Attempt::Rejected { next: 0.0, cause };
-        // a stage costs about as much as the law
+        // a stage costs about as much as an evaluation of the law
         if !meter.charge(self.stages) {
             return failed(Cause::Error);
         }

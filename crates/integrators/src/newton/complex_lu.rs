@@ -1,18 +1,18 @@
-//! Gaussian elimination of a complex matrix, real and imaginary parts in columns of their own: the same sums as for a real one.
+//! Gaussian elimination for complex matrices, with real and imaginary parts in separate columns.
 //!
-//! The pairs of complex eigenvalues of a collocation method lead to matrices (lambda / h) I - J with the real Jacobian J.
+//! The complex eigenvalues of a collocation method lead to matrices (lambda / h) I - J with the real Jacobian J.
 
 use super::condensation::Condensation;
 use super::lu::by_couplings;
 use nalgebra::Complex;
 use pulp::{Arch, Simd, WithSimd};
 
-/// The equations that remain of a complex matrix mu I - J, and their factors.
+/// The factorisation of the condensed equations of mu I - J.
 pub(crate) struct ComplexLu {
     size: usize,
-    /// The matrix, row after row.
+    /// The matrix, row by row.
     rows: Vec<(f64, f64)>,
-    /// The factors, column after column: real parts, then imaginary ones.
+    /// The factors, column by column: real parts, then imaginary parts.
     columns: Vec<f64>,
     order: Option<Vec<usize>>,
     pivots: Vec<usize>,
@@ -35,7 +35,7 @@ impl ComplexLu {
         }
     }
 
-    /// Makes the factors of the equations that remain of mu I - J; false if these are singular or not finite.
+    /// Factorises the condensed equations of mu I - J. Returns false if the matrix is singular or not finite.
     pub fn factorise(&mut self, mu: Complex<f64>, jacobian: &Condensation) -> bool {
         if self.size != jacobian.size() {
             *self = ComplexLu::new(jacobian.size());
@@ -63,7 +63,7 @@ impl ComplexLu {
         self.arch.dispatch(Eliminate(self))
     }
 
-    /// Replaces the right-hand side, its real and its imaginary part, by the solution.
+    /// Replaces the right-hand side (real and imaginary part) by the solution.
     pub fn solve(&mut self, real: &mut [f64], imaginary: &mut [f64]) {
         self.arch.dispatch(Substitute(self, real, imaginary));
     }
@@ -87,7 +87,7 @@ impl ComplexLu {
             for (re, im) in re[k + 1..].iter_mut().zip(&mut im[k + 1..]) {
                 (*re, *im) = product((*re, *im), inverse);
             }
-            // the divided column is needed once more by the substitution: the pivot's reciprocal stands in its place
+            // the substitution needs the divided column again: the reciprocal of the pivot is stored in its place
             (re[k], im[k]) = inverse;
             let (re, im) = (&re[k + 1..], &im[k + 1..]);
             for other in later.chunks_exact_mut(2 * n) {
@@ -137,7 +137,7 @@ impl ComplexLu {
     }
 }
 
-/// Takes the multiples of a column, by the entry at the top, from the entries below it.
+/// Subtracts multiples of a column from the entries below the diagonal.
 #[inline(always)]
 fn subtract((re, im): (&mut [f64], &mut [f64]), factors: (&[f64], &[f64])) {
     let ((top_re, re), (top_im, im)) = match (re.split_first_mut(), im.split_first_mut()) {
@@ -193,7 +193,7 @@ impl WithSimd for Substitute<'_> {
 mod tests {
     use super::*;
 
-    /// Every size up to three registers, with a Jacobian that needs pivots, rows in units far apart, and zeros in many places.
+    /// Every size up to three registers, with a matrix that needs pivoting, badly scaled rows, and many zeros.
     #[test]
     fn shifted_systems_of_any_size_are_solved() {
         for n in 1..25_usize {

@@ -1,38 +1,40 @@
-//! Static condensation of mu I - J: a state whose rate is a multiple of one other state leaves the equations.
+//! Static condensation of mu I - J: states whose rate is a multiple of a single other state are eliminated in advance.
 //!
-//! The coordinates of a mechanism have rates q' = u. Their rows of the Jacobian J have a single entry, and half of the equations
-//! (mu I - J) x = r are solved at once: x_i = (r_i + c_i x_j) / mu, where j is the state that the rate of i follows. The others remain,
+//! The coordinates of a mechanism have rates q' = u. Their rows of the Jacobian J have a single entry, so that half of
+//! the equations (mu I - J) x = r can be solved at once: x_i = (r_i + c_i x_j) / mu, where the rate of state i is c_i
+//! times state j. The other equations are
 //!
 //! (mu I - J_kk - J_ke C / mu) x_k = r_k + J_ke r_e / mu,
 //!
-//! with the states k that are kept and those e that are eliminated (Hairer and Wanner, Solving ODE II, IV.8). The elimination that is left
-//! costs an eighth where half of the states go. The equations are the same for every J with such rows.
+//! with the states k that are kept and those e that are eliminated (Hairer and Wanner, Solving ODE II, IV.8). If half
+//! of the states are eliminated, the remaining elimination costs an eighth. The set e is reused for every J with such
+//! rows.
 
 use nalgebra::Complex;
 
-/// A Jacobian, its rows parted into those that are solved at once and the others.
+/// A Jacobian, with its rows divided into those of eliminated and of kept states.
 #[derive(Clone, Debug)]
 pub(crate) struct Condensation {
     states: usize,
-    /// Whether the row of a state may be solved at once: no longer after it had other entries.
+    /// Whether a state may be eliminated; false once its row has had other entries.
     allowed: Vec<bool>,
     kept: Vec<usize>,
     eliminated: Vec<Follower>,
-    /// J_kk, by rows.
+    /// J_kk, row by row.
     own: Vec<f64>,
-    /// J_ke C, by rows.
+    /// J_ke C, row by row.
     through: Vec<f64>,
-    /// J_ke, by columns.
+    /// J_ke, column by column.
     columns: Vec<f64>,
 }
 
-/// A state whose rate is a multiple of another one.
+/// An eliminated state: its rate is `factor` times one kept state.
 #[derive(Clone, Copy, Debug)]
 struct Follower {
     state: usize,
-    /// The place of the other one among the kept states.
+    /// The index of that state among the kept states.
     place: usize,
-    /// c
+    /// The factor c.
     factor: f64,
 }
 
@@ -49,12 +51,12 @@ impl Condensation {
         }
     }
 
-    /// The number of equations that are left.
+    /// The number of the remaining equations.
     pub fn size(&self) -> usize {
         self.kept.len()
     }
 
-    /// Takes J, by rows. The parting stays from one Jacobian to the next while it fits.
+    /// Sets J, given row by row. The choice of eliminated states is kept from the previous Jacobian where possible.
     pub fn take(&mut self, jacobian: &[f64]) {
         let n = self.states;
         let mut fits = self.kept.len() + self.eliminated.len() == n;
@@ -83,7 +85,7 @@ impl Condensation {
         }
     }
 
-    /// Chooses the rows that are solved at once: none of them follows another.
+    /// Chooses the states to eliminate: none of them depends on another.
     fn part(&mut self, jacobian: &[f64]) {
         let n = self.states;
         let (mut leaders, mut leads) = (vec![None; n], vec![false; n]);
@@ -107,12 +109,12 @@ impl Condensation {
         self.columns = vec![0.0; m * self.eliminated.len()];
     }
 
-    /// The entries of J_kk and of J_ke C, by rows.
+    /// The entries of J_kk and of J_ke C, row by row.
     pub fn entries(&self) -> impl Iterator<Item = (f64, f64)> {
         self.own.iter().copied().zip(self.through.iter().copied())
     }
 
-    /// The right side of the equations that are left, with 1 / mu.
+    /// The right-hand side of the condensed equations; `inverse` is 1 / mu.
     pub fn condense(&self, right: &[f64], inverse: f64, condensed: &mut [f64]) {
         condensed.iter_mut().zip(&self.kept).for_each(|(to, &from)| *to = right[from]);
         for (column, follower) in self.columns.chunks_exact(self.size().max(1)).zip(&self.eliminated) {
@@ -121,7 +123,7 @@ impl Condensation {
         }
     }
 
-    /// Puts the solution in the place of the right side.
+    /// Computes the full solution in `right` from the solution of the condensed equations.
     pub fn expand(&self, condensed: &[f64], inverse: f64, right: &mut [f64]) {
         for &Follower { state, place, factor } in &self.eliminated {
             right[state] = inverse * (right[state] + factor * condensed[place]);
@@ -129,7 +131,7 @@ impl Condensation {
         self.kept.iter().zip(condensed).for_each(|(&to, from)| right[to] = *from);
     }
 
-    /// [`Self::condense`] with a complex mu: real and imaginary parts.
+    /// [`Self::condense`] for a complex mu, with real and imaginary parts.
     pub fn condense_complex(&self, [re, im]: [&[f64]; 2], inverse: Complex<f64>, [to_re, to_im]: [&mut [f64]; 2]) {
         for ((to_re, to_im), &from) in to_re.iter_mut().zip(to_im.iter_mut()).zip(&self.kept) {
             (*to_re, *to_im) = (re[from], im[from]);
@@ -143,7 +145,7 @@ impl Condensation {
         }
     }
 
-    /// [`Self::expand`] with a complex mu.
+    /// [`Self::expand`] for a complex mu, with real and imaginary parts.
     pub fn expand_complex(&self, [from_re, from_im]: [&[f64]; 2], inverse: Complex<f64>, [re, im]: [&mut [f64]; 2]) {
         for &Follower { state, place, factor } in &self.eliminated {
             let right = Complex::new(re[state] + factor * from_re[place], im[state] + factor * from_im[place]);
@@ -160,7 +162,7 @@ impl Condensation {
 mod tests {
     use super::*;
 
-    /// Two oscillators that are coupled by a spring and by friction, with coordinates of other units than the speeds.
+    /// Two oscillators coupled by a spring and by friction; coordinates and speeds have different units.
     const COUPLED: [f64; 16] = [0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 1.0, -9.0, 4.0, -0.5, 0.25, 3.0, -7.0, 0.125, 0.0];
 
     #[test]
@@ -184,7 +186,7 @@ mod tests {
         assert_eq!(condensation.kept, [0, 2, 3]);
     }
 
-    /// x'' = -x by states in turn: each row has a single entry, and only one of two can go.
+    /// x'' = -x with q' = u, u' = -q: each row has a single entry, but only one of the two states can be eliminated.
     #[test]
     fn rows_that_follow_each_other_do_not_both_go() {
         let mut condensation = Condensation::new(2);

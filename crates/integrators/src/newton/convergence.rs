@@ -1,19 +1,19 @@
-//! Convergence of Newton's iteration with a constant step: its end at rounding, and the renewal of its matrix.
+//! Convergence of Newton's iteration for methods with a constant step.
 //!
-//! A constant step has no tolerance to hide an unfinished iteration in: it goes on until rounding stops it. The matrix is
-//! kept while every correction is a hundredth of the last or less: each then costs an evaluation and gains two digits.
+//! A constant step has no tolerance: the iteration continues until rounding stops its progress. The matrix is reused
+//! while every correction is at most a hundredth of the last one, so that each evaluation gains two digits.
 
 use crate::Real;
 use crate::run::stepping::Cause;
 
-/// Iterations after which the iteration has failed.
+/// The iteration fails after so many corrections.
 const MOST_ITERATIONS: u32 = 50;
-/// The last correction, relative to the state, beyond which the iteration has not converged.
+/// The iteration has not converged if its last correction, relative to the state, is larger than this.
 const CONVERGED: f64 = 1e-9;
-/// A matrix is kept while each correction is at most this share of the one before it.
+/// The matrix is reused while each correction is at most this fraction of the one before.
 const PAYS: f64 = 0.01;
 
-/// The corrections so far.
+/// The state of an iteration.
 pub(crate) struct Newton {
     iterations: u32,
     last: f64,
@@ -25,12 +25,12 @@ impl Newton {
         Newton { iterations: 0, last: f64::INFINITY, stale: true }
     }
 
-    /// Whether the matrix should be that of the present iterate.
+    /// Whether the matrix should be computed at the present iterate.
     pub fn wants_matrix(&self) -> bool {
         self.stale
     }
 
-    /// Takes the size of a correction and that of the state; returns whether the iteration is at its end.
+    /// Records the size of a correction and that of the state. Returns whether the iteration has converged.
     pub fn corrected<S: Real>(&mut self, size: f64, scale: f64) -> Result<bool, Cause> {
         let scale = scale.max(f64::MIN_POSITIVE);
         if !(size / scale).is_finite() {

@@ -1,31 +1,30 @@
-//! Gaussian elimination with scaled partial pivoting in buffers that are made once (nalgebra's takes a new matrix each
-//! time).
+//! Gaussian elimination with scaled partial pivoting in reused buffers (nalgebra needs a new matrix each time).
 //!
-//! Columns are kept together: elimination and substitution then add multiples of columns, sums that need no order, for the
-//! widest registers there are. Equations and unknowns are taken in the order of their couplings, fewest first, and zeros
-//! are passed over: circuits that are coupled only through the rotor cost little.
+//! The matrix is stored by columns: elimination and substitution then add multiples of columns, with the widest SIMD
+//! registers. Equations and unknowns are ordered by their number of couplings, fewest first, and zeros are skipped:
+//! circuits that are coupled only through the rotor are cheap.
 
 use super::condensation::Condensation;
 use pulp::{Arch, Simd, WithSimd};
 
-/// A square matrix and its factors.
+/// A square matrix and its LU factorisation.
 pub(crate) struct Lu {
     size: usize,
-    /// Row after row, as it is given.
+    /// The matrix, row by row.
     rows: Vec<f64>,
-    /// The factors, column after column, each with room to whole registers.
+    /// The factors, column by column, each padded to whole registers.
     columns: Vec<f64>,
     height: usize,
-    /// The order in which equations and unknowns are taken: by the first matrix.
+    /// The order of equations and unknowns, from the first matrix.
     order: Option<Vec<usize>>,
     pivots: Vec<usize>,
-    /// The reciprocal of the largest entry of each row, which makes pivots of rows in different units comparable.
+    /// The reciprocal of the largest entry of each row: pivots of rows in different units become comparable.
     scales: Vec<f64>,
     right: Vec<f64>,
     arch: Arch,
 }
 
-/// Columns begin at multiples of this.
+/// Columns begin at multiples of this number.
 const WIDTH: usize = 8;
 
 impl Lu {
@@ -44,12 +43,12 @@ impl Lu {
         }
     }
 
-    /// The rows of the matrix that will be factorised.
+    /// The rows of the matrix, to be filled before [`Self::factorise`].
     pub fn rows(&mut self) -> std::slice::ChunksMut<'_, f64> {
         self.rows.chunks_mut(self.size)
     }
 
-    /// Makes the factors; false if the matrix is singular or not finite.
+    /// Factorises the matrix. Returns false if it is singular or not finite.
     pub fn factorise(&mut self) -> bool {
         let n = self.size;
         let order = self.order.get_or_insert_with(|| by_couplings(&self.rows, n));
@@ -65,7 +64,7 @@ impl Lu {
         self.arch.dispatch(Eliminate(self))
     }
 
-    /// Makes the factors of the equations that remain of mu I - J; false if these are singular or not finite.
+    /// Factorises the condensed equations of mu I - J. Returns false if the matrix is singular or not finite.
     pub fn factorise_shifted(&mut self, mu: f64, jacobian: &Condensation) -> bool {
         if self.size != jacobian.size() {
             *self = Lu::new(jacobian.size());
@@ -83,7 +82,7 @@ impl Lu {
         self.arch.dispatch(Substitute(self, b));
     }
 
-    /// Replaces b by the solution x of (mu I - J) x = b, with room for the equations that are left.
+    /// Replaces b by the solution x of (mu I - J) x = b; `room` is a buffer for the condensed equations.
     pub fn solve_shifted(&mut self, mu: f64, jacobian: &Condensation, room: &mut [f64], b: &mut [f64]) {
         let (left, inverse) = (&mut room[..jacobian.size()], mu.recip());
         jacobian.condense(b, inverse, left);
@@ -106,7 +105,7 @@ impl Lu {
             }
             column.swap(k, pivot);
             self.scales.swap(k, pivot);
-            // from whole registers on: entries above the diagonal there are kept out
+            // the first register also contains entries above the diagonal, which must not change
             column[k + 1..n].iter_mut().for_each(|entry| *entry *= inverse);
             let factors = &column[k + 1..n];
             for other in later.chunks_exact_mut(height) {
@@ -117,7 +116,7 @@ impl Lu {
                 }
             }
         }
-        // rows are swapped in the columns to come; those that are done follow here
+        // rows are swapped in the remaining columns only; the finished columns follow here
         for k in 1..n {
             let pivot = self.pivots[k];
             if pivot != k {
@@ -175,7 +174,7 @@ impl WithSimd for Substitute<'_> {
     }
 }
 
-/// The order by Markowitz: unknowns with the fewest couplings first.
+/// The order of elimination after Markowitz: unknowns with the fewest couplings first.
 pub(super) fn by_couplings(rows: &[f64], n: usize) -> Vec<usize> {
     let couplings = |i: usize| {
         let row = rows[i * n..][..n].iter().filter(|entry| **entry != 0.0).count();
@@ -205,20 +204,20 @@ mod tests {
         }
     }
 
-    /// Every size up to three registers, with zeros in changing places, and with rows in units far apart.
+    /// Every size up to three registers, with various patterns of zeros and badly scaled rows.
     #[test]
     fn systems_of_any_size_and_pattern_are_solved() {
         for n in 1..25_usize {
             let entry = |i: usize, j: usize| {
                 let wave = ((3 * i + 7 * j + n) as f64).sin();
                 let unit = if i.is_multiple_of(3) { 1e9 } else { 1.0 };
-                // the large entries stand beside the diagonal
+                // the large entries are next to the diagonal
                 let large = if j == (i + 1) % n { 2.0 * n as f64 } else { 0.0 };
                 if large == 0.0 && (i * j + n).is_multiple_of(3) { 0.0 } else { unit * (wave + large) }
             };
             let solution: Vec<f64> = (0..n).map(|j| 1.0 + j as f64).collect();
             let mut lu = Lu::new(n);
-            // the order of elimination is that of another matrix: a diagonal one
+            // the order of elimination is fixed by another, diagonal matrix
             lu.rows().enumerate().for_each(|(i, row)| row[i] = 1.0);
             assert!(lu.factorise());
             lu.rows().enumerate().for_each(|(i, row)| row.iter_mut().enumerate().for_each(|(j, to)| *to = entry(i, j)));

@@ -1,4 +1,4 @@
-//! Newton's iteration for implicit methods: elimination in kept buffers, convergence, and the spectral radius as a
+//! Linear algebra and convergence control of Newton's iteration in implicit methods, and the spectral radius as a
 //! measure of stiffness.
 
 mod complex_lu;

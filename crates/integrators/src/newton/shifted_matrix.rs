@@ -1,9 +1,9 @@
-//! Solutions of (mu I - J) x = b with a real mu: the linear equations of every implicit method with one stage at a time.
+//! Solutions of (mu I - J) x = b with a real mu: the linear equations of implicit methods that solve stage by stage.
 
 use super::condensation::Condensation;
 use super::lu::Lu;
 
-/// A Jacobian, and the factors for one mu.
+/// A Jacobian J, and the factorisation of mu I - J for one mu.
 pub(crate) struct Shifted {
     condensation: Condensation,
     lu: Lu,
@@ -12,24 +12,24 @@ pub(crate) struct Shifted {
 }
 
 impl Shifted {
-    /// For so many states.
+    /// Buffers for `states` states.
     pub fn new(states: usize) -> Self {
         let condensation = Condensation::new(states);
         Shifted { condensation, lu: Lu::new(states), mu: 0.0, room: vec![0.0; states] }
     }
 
-    /// Takes J, by rows.
+    /// Sets J, given row by row.
     pub fn take(&mut self, jacobian: &[f64]) {
         self.condensation.take(jacobian);
     }
 
-    /// Makes the factors of mu I - J; false if that is singular or not finite.
+    /// Factorises mu I - J. Returns false if the matrix is singular or not finite.
     pub fn factorise(&mut self, mu: f64) -> bool {
         self.mu = mu;
         self.lu.factorise_shifted(mu, &self.condensation)
     }
 
-    /// Replaces b by x.
+    /// Replaces b by the solution x.
     pub fn solve(&mut self, b: &mut [f64]) {
         self.lu.solve_shifted(self.mu, &self.condensation, &mut self.room, b);
     }
@@ -39,7 +39,7 @@ impl Shifted {
 mod tests {
     use super::Shifted;
 
-    /// A mechanism with 5 coordinates, an integrator that follows one of them, and a state of its own.
+    /// A mechanism with 5 coordinates, an integrator of one of them, and one independent state.
     #[test]
     fn systems_with_states_that_follow_others_are_solved() {
         let n = 12;

@@ -1,6 +1,6 @@
 //! An upper bound of the spectral radius of a matrix, by Gelfand's formula: |J^16|^(1/16) tends to it from above.
 
-/// The number of squarings: four of them find the largest eigenvalue where a norm would depend on the units of the
+/// The number of squarings. Four give the largest eigenvalue closely; a plain norm would depend on the units of the
 /// components.
 const SQUARINGS: u32 = 4;
 
@@ -16,7 +16,7 @@ impl SpectralRadius {
         SpectralRadius { size, power: vec![0.0; size * size], square: vec![0.0; size * size] }
     }
 
-    /// An upper bound for the spectral radius, close to it; every power is kept at norm 1 so that none overflows.
+    /// An upper bound close to the spectral radius. Every power is scaled to norm 1 against overflow.
     pub fn radius(&mut self, matrix: &[f64]) -> f64 {
         let n = self.size;
         self.power.copy_from_slice(matrix);
@@ -25,7 +25,7 @@ impl SpectralRadius {
         for squaring in 1..=SQUARINGS {
             self.square.fill(0.0);
             for (out, row) in self.square.chunks_mut(n).zip(self.power.chunks(n)) {
-                // many are zero where states are coupled with few others
+                // many entries are zero in sparsely coupled systems
                 for (factor, other) in row.iter().zip(self.power.chunks(n)).filter(|(factor, _)| **factor != 0.0) {
                     out.iter_mut().zip(other).for_each(|(out, entry)| *out += factor * entry);
                 }
@@ -36,8 +36,8 @@ impl SpectralRadius {
         logarithm.exp()
     }
 
-    /// Leaves out the couplings of states on which no other depends, as of a work that is counted beside the motion, or which depend on no other:
-    /// the eigenvalues do not contain them, but their powers would.
+    /// Removes the couplings of states on which no other state depends (such as the work done by a force), or which
+    /// depend on no other: they do not change the eigenvalues, but enter the powers of the matrix.
     fn cut_off(&mut self) {
         let n = self.size;
         let mut is_open = true;
@@ -57,7 +57,7 @@ impl SpectralRadius {
         }
     }
 
-    /// Divides the power by its largest row sum, and returns that.
+    /// Divides the power by its largest row sum, and returns this sum.
     fn normalise(&mut self) -> f64 {
         let sums = self.power.chunks(self.size).map(|row| row.iter().map(|x| x.abs()).sum::<f64>());
         let norm = sums.fold(0.0, f64::max);
@@ -80,7 +80,7 @@ mod tests {
 
     #[test]
     fn a_work_beside_the_motion_does_not_count() {
-        // the last state is a work of size 1e76, on which no rate depends
+        // the last state is a work of size 1e76; no rate depends on it
         let radius = SpectralRadius::new(3).radius(&[0.0, 1.0, 0.0, -100.0, 0.2, 0.0, 0.0, 1e76, 0.0]);
         assert!((9.9..20.0).contains(&radius), "{radius}");
     }

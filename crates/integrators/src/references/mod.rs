@@ -1,15 +1,16 @@
-//! Reference solutions: two methods of different families in double-double, and the digits on which they agree.
+//! Reference solutions: the digits on which two methods of different families agree in double-double.
 //!
-//! The first is Gauss collocation. The second is, where the problem is not stiff, the system's own Taylor series or
-//! Gragg-Bulirsch-Stoer extrapolation; where it is, Radau IIA collocation with other nodes, another order and its own
-//! steps. The digits are those that both share.
+//! The first method is Gauss collocation. The second one is, for nonstiff problems, the system's Taylor series or
+//! Gragg-Bulirsch-Stoer extrapolation; for stiff problems, Radau IIA collocation, which has other nodes, another order
+//! and other steps.
 //!
-//! A problem that is stiff at a coarse tolerance need not be stiff at the tightest one, whose steps are short in any case: an
-//! explicit method gives up a circuit with diodes at 1e-7, but at 5e-31 its series takes only three times as many steps as Gauss.
-//! The run itself therefore decides. Collocation estimates the error of a step at one of its ends; where a long step ends at the
-//! knee of a diode, its error is up to 5e6 tolerances with 11 stages of Radau IIA, 6e5 with 12 of Gauss (each step beside the
-//! series from its own start; the median is below a tenth of a tolerance). Two collocations share 24.8 digits there, the series
-//! and Gauss 26.3, while a change of the start grows 70-fold in 5 s: the digits are lost by the methods, not by the motion.
+//! A problem that is stiff at a coarse tolerance need not be stiff at the tightest one, where steps are short in any
+//! case: for a circuit with diodes an explicit method fails as stiff at 1e-7, but at 5e-31 its series takes only three
+//! times as many steps as Gauss. The choice is therefore made by the run at the tight tolerance. An explicit second
+//! method is preferred because collocation estimates the error of a step at one of its ends. Where a long step ends at
+//! the knee of a diode characteristic, the true error was up to 5e6 tolerances for Radau IIA with 11 stages, and 6e5
+//! for Gauss with 12 (the median is below a tenth of a tolerance). Two collocation methods share 24.8 digits there, the
+//! series and Gauss 26.3; the motion itself amplifies errors only 70-fold in 5 s.
 
 mod step_halving_check;
 
@@ -22,53 +23,53 @@ use crate::{
     Failure, Method, Outcome, Record, Refusal, Sizes, Span, System, Tolerance, Work, Working, integrate, integrate_in,
 };
 
-/// The least number of digits of a reference.
+/// The smallest number of digits of a trusted reference.
 pub const ENOUGH_DIGITS: f64 = 20.0;
 
-/// The tightest useful tolerance: five times below it rounding keeps Newton's iteration from its end.
+/// The tightest useful tolerance: at a fifth of it rounding prevents convergence of Newton's iteration.
 pub const TIGHTEST: f64 = 5e-31;
 
-/// Factor on the difference of the two solutions: errors of one sign may differ by less than either. Closed forms show true
-/// errors up to 1.2 of the difference.
+/// Safety factor for the difference of the two solutions: errors of equal sign partly cancel in the difference. In
+/// problems with closed forms the true error was up to 1.2 times the difference.
 const KEPT_BACK: f64 = 3.0;
 
-/// Evaluations of an explicit method in a coarse run after which an implicit one is asked.
+/// The budget of evaluations of the explicit method in a coarse run; an implicit method is tried after that.
 const COARSE_EVALUATIONS: u64 = 1_000_000;
 
-/// The product of Gauss' step size and the spectral radius, on average, above which stability, not accuracy, would limit the
-/// step of an explicit method: a series of 60 terms, at the tightest tolerance, bears 23 in a step. Diodes come to 36, stiff
-/// windings to 500 and more.
+/// The problem counts as stiff if the average product of step size of Gauss and spectral radius is above this. A series
+/// of 60 terms, at the tightest tolerance, allows a product of 23 per step. Diodes reach 36, stiff windings 500 and
+/// more.
 const STIFF_STEP: f64 = 100.0;
 
-/// The share of the largest size below which a size may be rounding of a component that stays zero.
+/// A component smaller than this fraction of the largest component may be rounding only.
 const ROUNDED: f64 = 1e-10;
 
-/// The relative size in double-double below which such a component is rounding; a component that moves keeps its size.
+/// A component counts as zero if its magnitude in double-double is smaller than in `f64` by this factor.
 const LEFT: f64 = 1e-6;
 
-/// A solution accurate enough to measure the errors of others.
+/// A solution in double-double, accurate enough to measure the errors of runs in `f64`.
 #[derive(Clone, Debug)]
 pub struct Reference {
     pub times: Vec<f64>,
     /// One state for each time.
     pub states: Vec<Vec<DoubleDouble>>,
-    /// -log10 of three times the largest difference of the two methods, relative to the size of each component.
+    /// The digits of agreement: -log10 of three times the largest difference of the two methods, relative to `sizes`.
     pub digits: f64,
-    /// The largest magnitude of each component along the motion, 1 for one that stays zero.
+    /// The largest magnitude of each component along the motion; 1 for a component that stays zero.
     pub sizes: Vec<f64>,
-    /// The two methods, the first of which gave the states.
+    /// The two methods; the states are those of the first.
     pub methods: [Method; 2],
     pub work: [Work; 2],
 }
 
 impl Reference {
-    /// Whether the two methods agree on at least [`ENOUGH_DIGITS`].
+    /// Whether the two methods agree to at least [`ENOUGH_DIGITS`] digits.
     pub fn is_trusted(&self) -> bool {
         self.digits >= ENOUGH_DIGITS
     }
 
-    /// The largest error of a trajectory at the reference's times, relative to the size of each component.
-    /// NaN where the times differ.
+    /// The largest error of a record at the reference's times, relative to the size of each component; NaN where the
+    /// times differ.
     pub fn error(&self, record: &Record<f64>) -> f64 {
         if record.times != self.times {
             return f64::NAN;
@@ -78,7 +79,10 @@ impl Reference {
     }
 }
 
-/// Computes a reference at the outputs of a span, within the span's budget for each of the two methods.
+/// Computes a reference at the outputs of a span. Each of the two methods may spend the budget of the span.
+///
+/// # Errors
+/// [`Failure`] where the span has no output, or a method does not reach its end.
 pub fn reference(system: &dyn System, span: &Span<'_, f64>) -> Result<Reference, Failure> {
     if span.outputs.is_empty() {
         let (start, end) = (span.start, span.end);
@@ -100,15 +104,15 @@ pub fn reference(system: &dyn System, span: &Span<'_, f64>) -> Result<Reference,
     Ok(Reference { times: first.times, states: first.states, digits, sizes, methods, work: [one, other] })
 }
 
-/// The largest magnitude of each component along a coarse run, 1 for one that stays zero, up to rounding.
+/// The largest magnitude of each component along a coarse run; 1 for a component that is zero up to rounding.
 ///
 /// # Errors
-/// Where neither an explicit nor an implicit method reached the end.
+/// [`Failure`] where neither an explicit nor an implicit method reached the end.
 pub fn survey(system: &dyn System, span: &Span<'_, f64>) -> Result<Vec<f64>, Failure> {
     let implicit = Method::RadauIIA { stages: 3 };
     let explicit = coarse(system, span, Method::DormandPrince8, COARSE_EVALUATIONS);
     let (method, mut sizes) = match explicit {
-        // the explicit method that runs in double-double
+        // an explicit method that exists in double-double
         Ok(sizes) => (Method::GraggBulirschStoer, sizes),
         Err(refused @ Failure::Refused(_)) => return Err(refused),
         Err(_) => (implicit, coarse(system, span, implicit, span.budget.evaluations)?),
@@ -124,7 +128,7 @@ pub fn survey(system: &dyn System, span: &Span<'_, f64>) -> Result<Vec<f64>, Fai
     Ok(sizes)
 }
 
-/// The largest magnitudes in double-double; `None` where the run does not reach its end.
+/// The largest magnitudes in a double-double run; `None` where it does not reach the end.
 fn coarse_exact(system: &dyn System, span: &Span<'_, f64>, method: Method) -> Option<Vec<f64>> {
     let lifted: Vec<DoubleDouble> = span.state.iter().map(|y| DoubleDouble::lift(*y)).collect();
     let mut plain = Span::new(span.start, span.end, &lifted).with_outputs(&span.outputs);
@@ -147,7 +151,7 @@ fn coarse(system: &dyn System, span: &Span<'_, f64>, method: Method, evaluations
     Ok(sizes.0.into_iter().map(|size| if size > 0.0 { size } else { 1.0 }).collect())
 }
 
-/// The run of a method of another family: the first that reaches the end.
+/// The run of the first method of another family that reaches the end.
 fn second_opinion(
     system: &dyn System,
     stiff: bool,
@@ -168,12 +172,12 @@ fn reached<S>(outcome: Outcome<S>) -> Result<Work, Failure> {
     outcome.failure().map_or(Ok(outcome.work), Err)
 }
 
-/// The digits that two solutions with this largest relative difference share.
+/// The number of digits that two solutions with this largest relative difference share.
 pub fn shared_digits(difference: f64) -> f64 {
     -(KEPT_BACK * difference).max(1e-32).log10()
 }
 
-/// The largest difference of two trajectories, relative to the sizes of the components.
+/// The largest difference of two trajectories, relative to the sizes of their components.
 pub fn difference(a: &[Vec<DoubleDouble>], b: &[Vec<DoubleDouble>], sizes: &[f64]) -> f64 {
     let state = |(a, b): (&Vec<DoubleDouble>, &Vec<DoubleDouble>)| {
         a.iter().zip(b).zip(sizes).map(|((a, b), size)| (*a - *b).hi().abs() / size).fold(0.0, f64::max)

@@ -1,54 +1,56 @@
-//! A check by step halving: whether a run with a constant step follows its law.
+//! A check by step halving: whether a run with a constant step approximates a motion of its law.
 //!
-//! A method with a constant step has no error estimate. Over a pole of the law it lands behind it, where the rates are finite
-//! again, and goes on; only shorter steps, which land elsewhere, show this. With y_n the run with n times as many steps,
+//! A method with a constant step has no error estimate. It may step over a pole of the law and continue beyond it,
+//! where the rates are finite again. Runs with shorter steps, which differ there, detect this. With y_n the run with n
+//! times as many steps,
 //!
 //!   d_1 = |y_1 - y_2| ,   d_2 = |y_2 - y_4| ,   d_2/d_1 -> 2^-p <= 1/2   with the order p, where there is a motion to converge to.
 //!
-//! A run departs from its law where d_1 of some state exceeds its size, or where d_1 is visible and d_2 is not smaller. A difference
-//! is visible if it is at least a given part of the state's size over the whole run: a beginning from rest shows nothing. All numbers
-//! are the largest up to a time: a single instant at which a difference happens to vanish shows nothing. Slow convergence is no
-//! departure: its error is d_1/(1 - 2^-p), and is reported. The reported time is the one from which on the departure is visible: its
-//! cause lies before.
+//! A run departs from its law if d_1 of some state exceeds the size of this state, or if d_1 is visible and d_2 is not
+//! smaller. A difference is visible if it is at least a given fraction of the state's size over the whole run: the
+//! beginning of a motion from rest is thereby ignored. All numbers are the largest up to a time: a single instant where
+//! a difference happens to vanish is thereby ignored. Slow convergence is no departure: its error is d_1/(1 - 2^-p),
+//! and is reported. The reported time is that at which the departure becomes visible; its cause lies earlier.
 
 use crate::run::failure::Instant;
 use crate::{Failure, Method, Outcome, Record, Work};
 use std::fmt;
 
-/// The result of comparing a run that reached its end with runs of shorter steps.
+/// The result of the comparison of a run with runs of shorter steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StepHalvingVerdict {
-    /// The runs converge: with half the step, states differ by at most this relative amount.
+    /// The runs converge. With half the step, states differ by at most the fraction `apart` of their size.
     Converges { apart: f64 },
-    /// The runs with shorter steps differ from this time on.
+    /// The runs with shorter steps differ visibly from the time `from` (s) on.
     Departs { from: f64 },
-    /// The runs with shorter steps stop here, for this reason.
+    /// The runs with shorter steps end at the time `at` (s), for the reason `why`.
     Stops { at: f64, why: &'static str },
-    /// The runs had too little work or time to decide.
+    /// The budget of work or time was too small for a decision.
     Undecided,
 }
 
-/// The result, with the work it took.
+/// The result of the check, and its work.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepHalvingCheck {
     pub verdict: StepHalvingVerdict,
     pub work: Work,
 }
 
-/// A run with shorter steps: its outcome, its record at the same times, and the reason why the law ended, if it did.
+/// A run with shorter steps: its outcome, its record at the times of the checked run, and the reason if the law ended.
 pub type ShorterRun = (Outcome<f64>, Record<f64>, Option<&'static str>);
 
-/// The part of a state's size from which on a difference is visible.
+/// A difference is visible from this fraction of a state's size on.
 const SEEN: f64 = 0.01;
-/// Convergence of order 1 halves differences: above this share they do not converge.
+/// The largest ratio d_2/d_1 that counts as convergence; a method of order 1 has 0.5.
 const SLOWEST: f64 = 0.75;
-/// The part of a state's size at which a difference by half the step means an error as large as the state: twice the
-/// difference, for order 1.
+/// The fraction of a state's size above which the run is unusable: for order 1, the error is twice the difference to
+/// half the step.
 const WHOLE: f64 = 0.5;
-/// Sizes of states below this part of the largest are rounding.
+/// A state smaller than this fraction of the largest state is rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Judges a run that reached its end, by runs with half its step and, in doubt, a quarter. `None` for methods that follow a tolerance.
+/// Checks a run that reached its end by runs with half its step and, if necessary, a quarter. `None` for methods with
+/// step size control.
 pub fn check_by_step_halving(
     method: Method,
     record: &Record<f64>,
@@ -92,12 +94,12 @@ fn sizes(all: &[Differences]) -> Vec<f64> {
     all.last().map_or_else(Vec::new, |last| last.0.iter().map(|[size, ..]| *size).collect())
 }
 
-/// For each state, up to a time: its size, d_1, d_2.
+/// For each state, the largest values up to a time: its size, d_1, d_2.
 #[derive(Clone)]
 struct Differences(Vec<[f64; 3]>);
 
 impl Differences {
-    /// The numbers at each time.
+    /// The differences of three runs at each time of their records.
     fn along([coarse, once, twice]: [&Record<f64>; 3]) -> Vec<Self> {
         let mut all: Vec<Self> = Vec::with_capacity(coarse.states.len());
         for ((a, b), c) in coarse.states.iter().zip(&once.states).zip(&twice.states) {
@@ -110,7 +112,7 @@ impl Differences {
         all
     }
 
-    /// Whether a predicate holds for some state whose difference is visible relative to its size over the whole run.
+    /// Whether the predicate holds for some state with a visible difference; `whole` has the sizes over the whole run.
     fn any(&self, whole: &[f64], is: impl Fn(&[f64; 3]) -> bool) -> bool {
         let nothing = ROUNDING * self.0.iter().map(|state| state[0]).fold(0.0, f64::max);
         let seen = |(state, whole): &(&[f64; 3], &f64)| state[1] > nothing && state[1] > SEEN * *whole;
@@ -141,8 +143,8 @@ impl StepHalvingVerdict {
         matches!(self, StepHalvingVerdict::Departs { .. } | StepHalvingVerdict::Stops { .. })
     }
 
-    /// Whether the run may be used: it does not depart from its law, and its error, where estimated, is below the
-    /// size of each state.
+    /// Whether the run is usable: it does not depart from its law, and its estimated error is below the size of each
+    /// state.
     pub fn serves(&self) -> bool {
         match self {
             StepHalvingVerdict::Converges { apart } => *apart < WHOLE,
@@ -151,7 +153,7 @@ impl StepHalvingVerdict {
         }
     }
 
-    /// The name without place and time.
+    /// The name of the result, without numbers.
     pub fn name(&self) -> &'static str {
         match self {
             StepHalvingVerdict::Converges { .. } => "shorter steps come nearer",
@@ -189,7 +191,7 @@ mod tests {
     use crate::{Ode, Span, System, Tolerance, integrate};
     use field::Scalar;
 
-    /// y' = -1/y: y^2 falls evenly, and ends at t = 1/2 from y = 1.
+    /// y' = -1/y: y^2 decreases at a constant rate; from y = 1 the motion ends at t = 1/2.
     struct Falling;
     impl<S: Scalar> Ode<S> for Falling {
         fn dimension(&self) -> usize {
@@ -201,7 +203,7 @@ mod tests {
     }
     impl System for Falling {}
 
-    /// y'' = -y.
+    /// The oscillator y'' = -y.
     struct Swinging;
     impl<S: Scalar> Ode<S> for Swinging {
         fn dimension(&self) -> usize {
@@ -240,7 +242,8 @@ mod tests {
         }
     }
 
-    /// Euler's swings grow by exp(t h/2): off by tenths, they converge all the same; by more than their size they part.
+    /// Euler's oscillations grow by exp(t h/2). Growth by tenths is still convergence; growth by more than the size is
+    /// a departure.
     #[test]
     fn what_converges_is_not_named_and_its_error_is_told() {
         let euler = |steps, end| judged(&Swinging, &[1.0, 0.0], end, Method::Euler { steps });

@@ -1,14 +1,14 @@
-//! Detection of runs that creep along the edge of the domain of their law.
+//! Detection of runs that stagnate at the edge of the domain of their law.
 //!
-//! Where a motion comes to such an edge and rests there, such as the height of a tank that is empty, steps that end a little before it are
-//! accepted, and longer ones have no rates: an endless alternation of steps and rejections.
+//! A motion may end at such an edge, for example at the height zero of an emptying tank. Steps that end just before the
+//! edge are accepted, longer ones have undefined rates: acceptances and rejections alternate without end.
 
-/// The number of attempts in a window, and the number of those among them with rates that are not finite from which on a run
-/// creeps.
+/// The number of attempts in a window, and the number of attempts with undefined rates among them from which the run
+/// counts as stagnating.
 const WINDOW: u32 = 600;
 const SPOILT: u32 = 150;
 
-/// Counts the attempts of a run.
+/// Counts attempted steps.
 #[derive(Default)]
 pub(crate) struct Brink {
     attempts: u32,
@@ -16,7 +16,7 @@ pub(crate) struct Brink {
 }
 
 impl Brink {
-    /// Counts an attempt, and whether its rates were not finite; returns whether the run creeps.
+    /// Counts an attempt; `is_spoilt`: its rates were not finite. Returns whether the run stagnates.
     pub fn creeps(&mut self, is_spoilt: bool) -> bool {
         self.attempts += 1;
         self.spoilt += u32::from(is_spoilt);

@@ -1,4 +1,4 @@
-//! The right-hand side for the methods: counted, stopped by the budget, always running forwards.
+//! The right-hand side for the methods: with counters and a budget, and with a time that always increases.
 
 use std::cell::Cell;
 use std::time::Instant;
@@ -6,7 +6,7 @@ use std::time::Instant;
 use crate::run::clock::{self, Over};
 use crate::{Failure, Ode, Real, Span, StepBounds, Work};
 
-/// Evaluations between two readings of the clock, which cost as much as a small system's rates.
+/// The number of evaluations between two readings of the clock; a reading costs as much as the rates of a small system.
 const CLOCK_EVERY: u64 = 64;
 
 /// The exhausted resource of a budget.
@@ -16,8 +16,8 @@ enum Spent {
     Clock(Over),
 }
 
-/// The law in the run's own time tau = |t - start|. Beyond the budget every rate is NaN: no method, of this crate or
-/// another, can go on for long, and none needs to know of budgets.
+/// The law as a function of the run's own time tau = |t - start|. Once the budget is exhausted, every rate is NaN:
+/// methods then stop without knowing of budgets.
 pub(crate) struct BudgetedRhs<'a, S> {
     law: &'a dyn Ode<S>,
     pub start: S,
@@ -58,12 +58,12 @@ impl<'a, S: Real> BudgetedRhs<'a, S> {
         }
     }
 
-    /// The right-hand side with bounds of steps where the law changes fast by itself.
+    /// The right-hand side with upper bounds of the step size.
     pub fn bounded(self, bounds: StepBounds) -> Self {
         BudgetedRhs { bounds: Some(bounds).filter(|bounds| !bounds.is_empty()), ..self }
     }
 
-    /// The longest step from tau that may be tried, of those that are at most as long as one.
+    /// The largest step size allowed at tau, at most `most`.
     #[inline]
     pub fn longest(&self, tau: S, most: f64) -> f64 {
         self.bounds.as_ref().map_or(most, |bounds| bounds.longest(tau.approx(), most))
@@ -73,7 +73,7 @@ impl<'a, S: Real> BudgetedRhs<'a, S> {
         self.law.dimension()
     }
 
-    /// dy/dtau at tau.
+    /// Writes dy/dtau at tau.
     #[inline]
     pub fn rates(&self, tau: S, y: &[S], dy: &mut [S]) {
         let count = self.rates.get() + 1;
@@ -91,7 +91,7 @@ impl<'a, S: Real> BudgetedRhs<'a, S> {
         }
     }
 
-    /// The clock's time at tau.
+    /// The time t at tau, s.
     #[inline]
     pub fn time(&self, tau: S) -> S {
         self.start + self.direction * tau
@@ -110,12 +110,12 @@ impl<'a, S: Real> BudgetedRhs<'a, S> {
         self.spent.get().is_some()
     }
 
-    /// The state of both clocks, that of the run and that of the process.
+    /// The reason of a stop by the clock of the run or of the process; `None` while neither has stopped.
     fn clock(&self) -> Option<Over> {
         clock::over().or_else(|| self.deadline.filter(|end| Instant::now() >= *end).map(|_| Over::Time))
     }
 
-    /// Counts so many evaluations at once, for a series that costs as much; false if the budget is exhausted.
+    /// Counts several evaluations at once, for a series of that cost. Returns false if the budget is exhausted.
     pub fn charge(&self, evaluations: u64) -> bool {
         let count = self.rates.get() + evaluations;
         let allowed = !self.over(count);
@@ -145,12 +145,12 @@ impl<'a, S: Real> BudgetedRhs<'a, S> {
         self.undefined.get()
     }
 
-    /// Whether a rate was not finite since the last call.
+    /// Whether a rate was not finite since the last call; resets the mark.
     pub fn was_undefined(&self) -> bool {
         self.undefined.replace(false)
     }
 
-    /// The failure by an exhausted budget.
+    /// The failure due to an exhausted budget.
     pub fn exhausted(&self, at: f64) -> Option<Failure> {
         self.spent.get().map(|spent| match spent {
             Spent::Evaluations => Failure::TooManyEvaluations { at, allowed: self.allowed },
@@ -158,7 +158,7 @@ impl<'a, S: Real> BudgetedRhs<'a, S> {
         })
     }
 
-    /// The evaluations so far, without the steps.
+    /// The work so far, without the number of steps.
     pub fn work(&self) -> Work {
         Work {
             rates: self.rates.get(),

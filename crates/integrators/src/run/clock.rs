@@ -1,8 +1,8 @@
-//! The clock of the process: the time at which every integration ends, and the user's request to end earlier.
+//! The clock of the process: a deadline for all integrations, and the user's request to stop earlier.
 //!
-//! A command is made of phases: a run, a second one with half the step, a transition matrix, a theory. A deadline handed to
-//! each phase would be counted anew by one of them, or forgotten. This one is set once, by the program, and every law that
-//! is evaluated through a budget reads it. A library that never sets it is not affected.
+//! A command has several phases: a run, another with half the step, a transition matrix, a theory. The deadline holds
+//! for all of them. The program sets it once, and every law that is evaluated through a budget checks it. It has no
+//! effect in a library that never sets it.
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
@@ -14,17 +14,17 @@ static DEADLINE: OnceLock<Instant> = OnceLock::new();
 static ASKED: AtomicBool = AtomicBool::new(false);
 static OBEYED: AtomicBool = AtomicBool::new(false);
 
-/// Why integrations end now.
+/// The reason why all integrations must end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Over {
     /// The deadline of the process has passed.
     Time,
-    /// The user asked for the end.
+    /// The user requested the end.
     Interrupted,
 }
 
 impl Over {
-    /// The failure of a run whose last good state is at this time.
+    /// The failure of a run whose last valid state is at the time `at`.
     pub fn failure(self, at: f64) -> Failure {
         match self {
             Over::Time => Failure::OutOfTime { at },
@@ -33,23 +33,23 @@ impl Over {
     }
 }
 
-/// Sets the time at which every integration of the process ends. Only the first call has an effect.
+/// Sets the deadline of all integrations of the process. Only the first call has an effect.
 pub fn set_deadline(deadline: Instant) {
     DEADLINE.get_or_init(|| deadline);
 }
 
-/// Every integration of the process ends now.
+/// Requests the end of all integrations of the process.
 pub fn request_end() {
     ASKED.store(true, Relaxed);
 }
 
-/// Whether the user asked for the end: one load.
+/// Whether the user requested the end. Costs one atomic load.
 #[inline]
 pub fn is_asked() -> bool {
     ASKED.load(Relaxed)
 }
 
-/// Whether integrations are to end, and why. A caller that gets a reason stops its work.
+/// The reason why integrations must end; `None` if they may continue. A caller that gets a reason must stop its work.
 pub fn over() -> Option<Over> {
     let over = match DEADLINE.get() {
         _ if is_asked() => Over::Interrupted,
@@ -60,7 +60,7 @@ pub fn over() -> Option<Over> {
     Some(over)
 }
 
-/// Whether anything was broken off by [`over`].
+/// Whether [`over`] has returned a reason to any caller.
 pub fn was_obeyed() -> bool {
     OBEYED.load(Relaxed)
 }

@@ -1,42 +1,42 @@
-//! The known ways in which a run stops before its end.
+//! The reasons for which a run can fail.
 
 use std::fmt;
 
-/// The reason why a run stopped. The set is closed: a chart names each.
+/// The reason why a run failed. Times in s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Failure {
-    /// The data were refused before the first step.
+    /// The data were rejected before the first step.
     Refused(Refusal),
-    /// The step size that the tolerance needs is below rounding.
+    /// The step size required by the tolerance is below rounding.
     StepCollapsed { at: f64, step: f64 },
-    /// The allowed number of evaluations was spent.
+    /// The budget of evaluations was exhausted.
     TooManyEvaluations { at: f64, allowed: u64 },
     /// The deadline passed.
     OutOfTime { at: f64 },
-    /// The user asked for the end.
+    /// The user requested the end.
     Interrupted { at: f64 },
-    /// Newton's iteration did not converge with any step above rounding.
+    /// Newton's iteration did not converge for any step size above rounding.
     NewtonFailed { at: f64, step: f64 },
-    /// The rates, or the state, are infinite or undefined beyond this time.
+    /// The rates or the state become infinite or undefined after this time.
     LeftTheNumbers { at: f64 },
-    /// The method's own test found the problem stiff: an explicit method wastes its steps there.
+    /// The problem is stiff for this explicit method: stability, not accuracy, limits its step size.
     Stiff { at: f64 },
-    /// A backward sub-step of this size, relative to the step, would let a component with this decay rate grow too
-    /// much; the longest step that avoids it.
+    /// A negative sub-step of the relative length `back` would amplify a component with the decay rate `rate` (1/s) too
+    /// much; `most` is the largest usable step size.
     GoesBack { at: f64, step: f64, back: f64, rate: f64, most: f64 },
-    /// The matrix of an implicit step is singular with every step tried.
+    /// The matrix of an implicit step is singular for every step size tried.
     Singular { at: f64 },
-    /// A motion across events ended before the motion with which it is compared.
+    /// The motion ended at an event before the motion it is compared with.
     OtherCourse { at: f64 },
 }
 
 impl Failure {
-    /// Whether the run was broken off by a clock or the user: its continuation is unknown.
+    /// Whether the run was stopped by a clock or the user: it might have continued.
     pub fn is_broken_off(&self) -> bool {
         matches!(self, Failure::OutOfTime { .. } | Failure::Interrupted { .. })
     }
 
-    /// The failure in the time t = start + pace s, for a run in s.
+    /// The failure of a run in the time s, with its times converted by t = start + pace s.
     pub fn in_time(self, start: f64, pace: f64) -> Self {
         let time = |s: f64| start + pace * s;
         match self {
@@ -56,7 +56,7 @@ impl Failure {
         }
     }
 
-    /// The name without place and time, by which equal failures are counted together.
+    /// The name of the failure without its numbers; failures are counted by it.
     pub fn name(&self) -> &'static str {
         match self {
             Failure::Refused(_) => "refused",
@@ -74,7 +74,7 @@ impl Failure {
     }
 }
 
-/// The reason why data were refused, and the data that would be accepted.
+/// The reason why data were rejected, with the accepted range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Refusal {
     SpanEmpty { start: f64, end: f64 },
@@ -96,7 +96,7 @@ pub enum Refusal {
     FollowsTolerance,
 }
 
-/// A time for reading: six digits, as a power of ten where plain digits would be zeros.
+/// A time for display: six digits, with a power of ten where plain digits would be zeros.
 pub(crate) struct Instant(pub f64);
 
 impl fmt::Display for Instant {

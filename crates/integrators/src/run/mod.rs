@@ -1,10 +1,10 @@
-//! A run around the steps of any method: its input, its observation, its outcome.
+//! The parts of a run that do not depend on the method: input, observation, outcome.
 //!
 //! # Overview
 //! * input: [`Span`], [`Budget`], [`Tolerance`];
-//! * during the run: the right-hand side with its budget (`budgeted_rhs`), the loop around the steps (`stepping`), the work
-//!   after each of them (`watch`), states between two (`within`), the [`clock`];
-//! * output: to an [`Observer`] on the way, as an [`Outcome`] or a [`Failure`] at the end.
+//! * during the run: the right-hand side with its budget (`budgeted_rhs`), the loop over steps (`stepping`), the
+//!   actions after each step (`watch`), states within a step (`within`), the [`clock`];
+//! * output: to an [`Observer`] during the run, and as an [`Outcome`] with an [`End`](crate::End) afterwards.
 
 pub(crate) mod brink;
 pub(crate) mod budgeted_rhs;

@@ -1,31 +1,32 @@
 //! Observers of a run.
 
-/// Shown the state at the requested outputs, and the progress of the run. All methods have an empty default.
+/// Receives the states of a run at the requested outputs, and its progress. All methods have an empty default.
 pub trait Observer<S> {
-    /// The state at a requested output.
+    /// Called with the state at a requested output.
     fn sample(&mut self, _time: f64, _state: &[S]) {}
 
-    /// The state after an accepted step, at any time.
+    /// Called with the state after each accepted step.
     fn step(&mut self, _time: f64, _state: &[S]) {}
 
-    /// Before [`Observer::step`], where the method's step is a polynomial: the state at any time from the step's
-    /// beginning to its end.
+    /// Called before [`Observer::step`] if the method's step is a polynomial: `_state_at` gives the state at any time
+    /// of the step.
     fn between(&mut self, _begin: f64, _end: f64, _state_at: &dyn Fn(f64, &mut [S])) {}
 
-    /// As [`Observer::sample`], beside a singular position of the constraints, where reactions at the state are not accurate: they may be
-    /// interpolated between states at times on either side.
+    /// As [`Observer::sample`], near a singular position of the constraints, where reactions computed from the state
+    /// are inaccurate: they may be interpolated between the states `_nodes` (time, state) on both sides.
     fn sample_between(&mut self, time: f64, state: &[S], _nodes: &[(f64, Vec<S>)]) {
         self.sample(time, state);
     }
 
-    /// A singular position of the constraints, passed on the smooth branch of the motion, with the difference of two Taylor series of it
-    /// behind the position, relative to the largest component, and the states on either side.
+    /// Called when the motion has passed a singular position of the constraints on its smooth branch. `_error` is the
+    /// difference of two Taylor series beyond the position, relative to the largest component; `_nodes` are states on
+    /// both sides.
     fn singular_position(&mut self, _time: f64, _state: &[S], _error: f64, _nodes: &[(f64, Vec<S>)]) {}
 
-    /// The fraction of the span that is done, after every accepted step.
+    /// Called after every accepted step with the completed fraction of the span.
     fn progress(&mut self, _fraction: f64) {}
 
-    /// Whether the observer has seen enough: the run then halts after the step that it was just shown.
+    /// Whether the run should end after the present step.
     fn enough(&self) -> bool {
         false
     }
@@ -34,7 +35,7 @@ pub trait Observer<S> {
 /// An observer that does nothing.
 impl<S> Observer<S> for () {}
 
-/// An observer that keeps the samples.
+/// An observer that stores the samples.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record<S> {
     pub times: Vec<f64>,
@@ -65,7 +66,7 @@ impl<S, F: FnMut(f64, &[S])> Observer<S> for Samples<F> {
     }
 }
 
-/// An observer that calls a closure with the fraction done: for a progress bar.
+/// An observer that calls a closure with the completed fraction, for a progress bar.
 pub struct Progress<F>(pub F);
 
 impl<S, F: FnMut(f64)> Observer<S> for Progress<F> {
@@ -74,7 +75,7 @@ impl<S, F: FnMut(f64)> Observer<S> for Progress<F> {
     }
 }
 
-/// An observer that keeps the largest magnitude of every component.
+/// An observer that records the largest magnitude of every component over all steps.
 #[derive(Clone, Debug)]
 pub struct Sizes(pub Vec<f64>);
 

@@ -1,4 +1,4 @@
-//! The result of a run, whether it reached its end or not.
+//! The result of a run.
 
 use std::fmt;
 
@@ -7,69 +7,71 @@ use crate::Failure;
 /// The way in which a run ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum End {
-    /// At the end of the span, with a finite state.
+    /// The run reached the end of the span, with a finite state.
     Reached,
     /// The observer ended the run.
     Halted,
-    /// Before the end of the span, for this reason.
+    /// The run failed before the end of the span.
     Stopped(Failure),
 }
 
-/// The work of a run, in counts that every machine repeats.
+/// The work of a run, in reproducible counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
     /// Evaluations of the rates.
     pub rates: u64,
     /// Evaluations of the whole Jacobian.
     pub jacobians: u64,
-    /// Factorisations of a matrix.
+    /// LU factorisations.
     pub factorisations: u64,
-    /// Evaluations of constraints alone, with their derivatives.
+    /// Evaluations of the constraints with their derivatives.
     pub constraints: u64,
     /// Accepted steps.
     pub steps: u64,
     /// Rejected steps.
     pub rejected: u64,
-    /// Steps made again for outputs that lie between two steps: no other count contains them or their evaluations.
+    /// Additional steps for outputs that lie between two steps; these steps and their evaluations are not in the other
+    /// counts.
     pub outputs: u64,
 }
 
-/// The largest distance of a monitored quantity from its first value.
+/// The largest change of a monitored quantity from its first value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deviation {
     pub name: String,
     /// The value at the start.
     pub first: f64,
-    /// The largest |value - first| over the accepted steps; infinite where the quantity has no value.
+    /// The largest |value - first| over the accepted steps; infinite where the quantity is undefined.
     pub largest: f64,
-    /// The time at which it was reached.
+    /// The time of the largest change, s.
     pub at: f64,
-    /// The first time at which it was larger than [`LOST`] of the size of the quantity up to then, if that size is known and the change is
-    /// larger in the end too.
+    /// The time from which the change exceeds [`LOST`] times the size of the quantity. `None` if the size is unknown,
+    /// or the change is smaller again at the end.
     pub lost: Option<Lost>,
 }
 
-/// A conserved quantity is lost where it has changed by this part of its size: numbers from there on belong to another motion, or to none.
+/// A conserved quantity counts as lost once it has changed by this fraction of its size: the numerical motion from
+/// there on is not a motion of the law.
 pub const LOST: f64 = 0.01;
 
-/// The time at which a quantity was lost.
+/// The time (s) at which a conserved quantity was lost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lost {
     pub at: f64,
-    /// The largest size of the quantity.
+    /// The largest size of the quantity up to then.
     pub size: f64,
 }
 
-/// The end of a run: the last good state in any case, never NaN.
+/// The result of a run. Contains the last valid state in any case, never NaN.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome<S> {
     pub end: End,
-    /// The time of the last good state: the span's end if it was reached.
+    /// The time of the last valid state, s; the end of the span if it was reached.
     pub time: f64,
-    /// The last good state.
+    /// The last valid state.
     pub state: Vec<S>,
     pub work: Work,
-    /// One for each monitor of the span.
+    /// The largest changes of the monitored quantities, in the order of the span's monitors.
     pub deviations: Vec<Deviation>,
 }
 
@@ -89,7 +91,7 @@ impl std::ops::Add for Work {
 }
 
 impl<S> Outcome<S> {
-    /// The reason for which the run stopped, if it did.
+    /// The failure, if the run failed.
     pub fn failure(&self) -> Option<Failure> {
         match self.end {
             End::Reached | End::Halted => None,

@@ -1,15 +1,15 @@
-//! The problem of a run: span, initial state, outputs, monitors, budget.
+//! The initial value problem of a run: span, initial state, outputs, monitors, budget.
 
 use std::time::Instant;
 
 use crate::{Absolute, Real, Refusal, Tolerance};
 
-/// The most work that a run may take before it is stopped.
+/// The limits of the work of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Budget {
-    /// Evaluations of the rates.
+    /// The largest number of evaluations of the rates.
     pub evaluations: u64,
-    /// The time at which the run must have stopped.
+    /// The deadline of the run.
     pub deadline: Option<Instant>,
 }
 
@@ -22,43 +22,41 @@ impl Default for Budget {
 /// A function of time and state.
 pub type Quantity<'a, S> = Box<dyn Fn(f64, &[S]) -> S + 'a>;
 
-/// A quantity that should keep its first value.
+/// A conserved quantity whose changes are recorded.
 pub struct Monitor<'a, S> {
     pub name: String,
     pub value: Quantity<'a, S>,
-    /// The size of the terms of which its value is composed, where it is known: a change is compared with the largest of a
-    /// run.
+    /// The size of the terms of the quantity, if known: changes are compared with its largest value along the run.
     pub size: Option<Quantity<'a, S>>,
 }
 
-/// An initial value problem but for its law: times, initial state, outputs, monitors, budget.
+/// An initial value problem without its law. Times in s.
 pub struct Span<'a, S> {
     pub start: f64,
-    /// May lie before `start`: then the run goes backwards.
+    /// The end; if it is less than `start`, the run goes backwards in time.
     pub end: f64,
     /// The state at `start`.
     pub state: Vec<S>,
-    /// The times at which the observer is shown the state: in the run's order, from `start` to `end`. In `f64` they change
-    /// no step: the state between two steps is as accurate as a step and has the method's order. In double-double the steps
-    /// land on them.
+    /// The output times, in the order of the run, from `start` to `end`. In `f64` they do not affect the steps: a state
+    /// between two steps has the accuracy of a step. In double-double the steps end at the outputs.
     pub outputs: Vec<f64>,
     pub monitors: Vec<Monitor<'a, S>>,
     pub budget: Budget,
-    /// The longest first step, where a law begins in a state from which it changes fast.
+    /// The largest first step (s), for a law that changes rapidly from its initial state.
     pub longest_first: Option<f64>,
-    /// Whether the span lies within a step that the method has accepted: then its own first step is the whole of it.
+    /// Whether the span lies within an accepted step of the method: its first step is then the whole span.
     pub(crate) within_step: bool,
 }
 
 impl<'a, S: Real> Span<'a, S> {
-    /// From `start` to `end` with the state at `start` given; one output, at the end.
+    /// The span from `start` to `end` with the initial state `state`, and one output at the end.
     pub fn new(start: f64, end: f64, state: &[S]) -> Self {
         let (outputs, monitors) = (vec![end], Vec::new());
         let (budget, longest_first, within_step) = (Budget::default(), None, false);
         Span { start, end, state: state.to_vec(), outputs, monitors, budget, longest_first, within_step }
     }
 
-    /// The span, known to lie within an accepted step.
+    /// The span, marked as part of an accepted step.
     pub(crate) fn within_step(mut self) -> Self {
         self.within_step = true;
         self
@@ -83,7 +81,7 @@ impl<'a, S: Real> Span<'a, S> {
         self
     }
 
-    /// The span in which the quantity that was added last is compared with a size.
+    /// Sets the size of the terms of the last monitored quantity.
     pub fn beside(mut self, size: impl Fn(f64, &[S]) -> S + 'a) -> Self {
         if let Some(last) = self.monitors.last_mut() {
             last.size = Some(Box::new(size));
@@ -91,19 +89,19 @@ impl<'a, S: Real> Span<'a, S> {
         self
     }
 
-    /// The span with at most so many evaluations of the rates.
+    /// The span with a budget of evaluations of the rates.
     pub fn with_evaluations(mut self, evaluations: u64) -> Self {
         self.budget.evaluations = evaluations;
         self
     }
 
-    /// The span with a time at which the run must have stopped.
+    /// The span with a deadline.
     pub fn with_deadline(mut self, deadline: Instant) -> Self {
         self.budget.deadline = Some(deadline);
         self
     }
 
-    /// The length of the run, positive.
+    /// The length |end - start|, s.
     pub fn length(&self) -> S {
         (S::lift(self.end) - S::lift(self.start)).magnitude()
     }
@@ -113,12 +111,15 @@ impl<'a, S: Real> Span<'a, S> {
         (self.end - self.start).signum()
     }
 
-    /// The time that has passed since the start where the clock shows `time`.
+    /// The time tau = |time - start| since the start.
     pub(crate) fn since_start(&self, time: f64) -> S {
         (S::lift(time) - S::lift(self.start)) * S::lift(self.direction())
     }
 
-    /// Checks the data for values with which no method could work.
+    /// Checks the data.
+    ///
+    /// # Errors
+    /// [`Refusal`] for numbers that are not finite, an empty span, wrong dimensions, or invalid outputs or tolerances.
     pub(crate) fn check(&self, dimension: usize, tolerance: Option<&Tolerance>) -> Result<(), Refusal> {
         if !(self.start.is_finite() && self.end.is_finite()) {
             return Err(Refusal::SpanNotFinite { start: self.start, end: self.end });
@@ -147,7 +148,8 @@ impl<'a, S: Real> Span<'a, S> {
     }
 }
 
-/// Positive, finite, not below what the field's rounding allows, one for each component if given by component.
+/// Checks that the tolerance is positive, finite, not below rounding, and has one entry per component if given by
+/// component.
 fn check_tolerance<S: Real>(tolerance: &Tolerance, dimension: usize) -> Result<(), Refusal> {
     let least = 10.0 * S::EPSILON;
     if !(tolerance.relative >= least && tolerance.relative < 1.0) {

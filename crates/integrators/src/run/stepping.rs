@@ -1,11 +1,11 @@
-//! The loop around the steps of this crate's methods.
+//! The loop over the steps of a method of this crate.
 
 use crate::run::brink::Brink;
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::watch::Watch;
 use crate::{Failure, Outcome, Real, Tolerance};
 
-/// The outcome of an attempted step, and the length of the next one.
+/// The result of an attempted step, and the size of the next one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Attempt {
     Accepted {
@@ -15,20 +15,20 @@ pub(crate) enum Attempt {
         next: f64,
         cause: Cause,
     },
-    /// Accepted, and stability limits the steps of the method, not accuracy: the problem is stiff.
+    /// The step is accepted, but stability, not accuracy, limits the step size: the problem is stiff.
     Limited {
         next: f64,
     },
 }
 
-/// The number of remaining steps up to which an explicit method follows a stiff problem to its end: they cost the user less than another
-/// method.
+/// An explicit method completes a stiff problem if at most so many steps remain: this is cheaper for the user than
+/// another method.
 const FEW: f64 = 5_000.0;
 
-/// An interval of so many roundings of the time is not divided.
+/// An interval of at most so many roundings of the time is not divided.
 const AT_ONCE: f64 = 16.0;
 
-/// Why a step was rejected: if no shorter one succeeds, why the run failed.
+/// The reason why a step was rejected. If no shorter step succeeds, it is the reason of the failure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Cause {
     Error,
@@ -52,29 +52,29 @@ impl Cause {
 
 /// A one-step method with its buffers.
 pub(crate) trait Stepper<S: Real> {
-    /// Tries one step from `before` at tau; a step that is accepted has its result in `after`.
+    /// Attempts a step of size `step` from `before` at tau. The result of an accepted step is in `after`.
     fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &BudgetedRhs<S>) -> Attempt;
 
-    /// The longest next step, where the method has it before the step.
+    /// The largest next step size, for methods that know it before the step.
     fn reach(&mut self, _tau: S, _before: &[S], _meter: &BudgetedRhs<S>) -> Option<f64> {
         None
     }
 
-    /// The constant step of a method without error control.
+    /// The step size of a method without error control.
     fn fixed(&self) -> Option<S> {
         None
     }
 
-    /// Whether [`Stepper::between`] is as accurate as the steps: then these need not land on the outputs.
+    /// Whether the method has a dense output as accurate as its steps: steps then need not end at outputs.
     fn reads_between(&self) -> bool {
         false
     }
 
-    /// The state at `passed` after the beginning of the last accepted step.
+    /// The dense output at the time `passed` after the beginning of the last accepted step.
     fn between(&self, _passed: S, _state: &mut [S]) {}
 }
 
-/// Runs a method to the end of the span, or to its failure.
+/// Runs a method to the end of the span, or to a failure.
 pub(crate) fn drive<S: Real>(
     stepper: &mut dyn Stepper<S>,
     first: f64,
@@ -86,7 +86,7 @@ pub(crate) fn drive<S: Real>(
     let (mut tau, mut proposed, mut last_cause) = (S::zero(), first, Cause::Error);
     let mut brink = Brink::default();
     let mut even = Even { plan: None, all: 0, done: 0 };
-    // the longest step from here that may end in finite values, for a series of any radius
+    // the longest step from here that may give finite values
     let mut finite = f64::INFINITY;
     while watch.goes_on() {
         let stop = if stepper.reads_between() { watch.length() } else { watch.landing() };
@@ -158,8 +158,8 @@ pub(crate) fn drive<S: Real>(
     watch.finish(end, meter)
 }
 
-/// Equal steps to the next time at which a step must end: their length does not change on the way, and the time is not
-/// computed as their sum, whose rounding would grow with their number.
+/// Equal steps up to the next time at which a step must end. Times are computed as multiples of the step, whose
+/// rounding does not grow with the number of steps.
 struct Even<S> {
     plan: Option<(S, S, S)>,
     all: u64,
@@ -167,7 +167,7 @@ struct Even<S> {
 }
 
 impl<S: Real> Even<S> {
-    /// The length of the steps from `tau` to `stop`, near a given one.
+    /// The size of the steps from `tau` to `stop`, close to `near`.
     fn step(&mut self, tau: S, stop: S, near: S) -> S {
         match self.plan {
             Some((_, known, step)) if known == stop => step,
@@ -180,19 +180,19 @@ impl<S: Real> Even<S> {
         }
     }
 
-    /// Whether the coming step is the last of them.
+    /// Whether the next step is the last of the equal steps.
     fn lands(&self) -> bool {
         self.plan.is_some() && self.done + 1 >= self.all
     }
 
-    /// The end of the step just made, if it is one of them.
+    /// The end of the step just made, if it belongs to equal steps.
     fn next(&mut self) -> Option<S> {
         self.done += 1;
         self.plan.map(|(from, _, step)| from + S::lift(self.done as f64) * step)
     }
 }
 
-/// The proposed step, or the rest, or half of the rest where a sliver would remain.
+/// The proposed step, or the remaining interval, or half of it where a very short last step would remain.
 fn shorten<S: Real>(proposed: f64, remaining: S) -> S {
     let left = remaining.approx();
     if proposed >= left * (1.0 - 1e-10) {
@@ -204,12 +204,12 @@ fn shorten<S: Real>(proposed: f64, remaining: S) -> S {
     }
 }
 
-/// A state below so many times its tolerance, as where a run begins anew at a zero, is small beside its rate: their quotient
-/// gives no step size.
+/// A state smaller than so many tolerances, such as at a start from zero, is not used to scale the first step: it is
+/// small compared with its rate.
 const SMALL: f64 = 10.0;
 
-/// A first step size for a method of order p (Gladwell, Shampine and Brankin 1987; Hairer, Norsett and Wanner, II.4),
-/// from the rates and their change over a trial Euler step, in units of the tolerance. Within an accepted step, the
+/// The first step size for a method of order p, from the rates and their change over a trial Euler step in units of the
+/// tolerance (Gladwell, Shampine and Brankin 1987; Hairer, Norsett and Wanner, II.4). Within an accepted step, the
 /// whole length.
 pub(crate) fn first_step<S: Real>(
     meter: &BudgetedRhs<S>,

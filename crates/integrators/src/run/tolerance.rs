@@ -1,4 +1,4 @@
-//! The tolerance: the largest error estimate of an accepted step.
+//! The tolerance: the largest estimated error of an accepted step.
 
 use crate::Real;
 
@@ -10,12 +10,12 @@ pub struct Tolerance {
     pub absolute: Absolute,
 }
 
-/// The part of a tolerance that does not follow the size of a component.
+/// The absolute part of a tolerance.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Absolute {
     /// One number for every component.
     Same(f64),
-    /// One for each component: for states that mix currents of 100 A with angles.
+    /// One number for each component: for states with components of different units and sizes.
     Each(Vec<f64>),
 }
 
@@ -40,14 +40,14 @@ impl Tolerance {
         }
     }
 
-    /// The allowed error of component i where its size is `size`.
+    /// The allowed error of component i if its magnitude is `size`.
     #[inline]
     pub fn allowed(&self, i: usize, size: f64) -> f64 {
         self.absolute(i) + self.relative * size
     }
 
-    /// The largest component of an error in units of the allowed error: above 1 the step must be rejected. NaN where
-    /// the error or the state is NaN.
+    /// The largest component of an error in units of the allowed error; a step with a norm above 1 is rejected. NaN
+    /// where the error or the state is NaN.
     pub fn norm<S: Real>(&self, before: &[S], after: &[S], error: impl Fn(usize) -> f64) -> f64 {
         let mut largest = 0.0_f64;
         for (i, (a, b)) in before.iter().zip(after).enumerate() {

@@ -1,14 +1,14 @@
-//! Work around the accepted steps of any method: outputs, monitors, progress, the last good state.
+//! Actions after accepted steps of any method: outputs, monitors, progress, last valid state.
 
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::outcome::{LOST, Lost};
 use crate::run::within::{StepEnd, Within};
 use crate::{Deviation, End, Failure, Observer, Outcome, Projection, Real, Span};
 
-/// Steps after which the sizes of monitored quantities are computed, whether these have moved or not.
+/// The sizes of monitored quantities are computed at least after so many steps.
 const SIZED: u64 = 64;
 
-/// The run as seen from outside its method.
+/// The state of a run outside its method.
 pub(crate) struct Watch<'a, 'm, S> {
     span: &'a Span<'m, S>,
     observer: &'a mut dyn Observer<S>,
@@ -18,16 +18,16 @@ pub(crate) struct Watch<'a, 'm, S> {
     next_output: usize,
     tau: S,
     state: Vec<S>,
-    /// The first value of each monitor, its deviation, and the largest size that was seen.
+    /// For each monitor: its first value, its deviation, and its largest size so far.
     deviations: Vec<(S, Deviation, f64)>,
     steps: u64,
     rejected: u64,
-    /// Why an output could not be shown.
+    /// The failure of an output.
     failed: Option<Failure>,
 }
 
 impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
-    /// Shows an output that is asked for at the start.
+    /// Begins the observation, and reports outputs at the start.
     pub fn new(span: &'a Span<'m, S>, observer: &'a mut dyn Observer<S>, within: Within<'a, S>) -> Self {
         let first = |monitor: &crate::Monitor<'m, S>| {
             let value = (monitor.value)(span.start, &span.state);
@@ -52,22 +52,22 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         watch
     }
 
-    /// As [`Watch::new`], where every state after the start is projected onto equations that the motion keeps.
+    /// As [`Watch::new`], with a projection of every state after the start onto invariants.
     pub fn projected(self, projection: Option<&'a dyn Projection<S>>) -> Self {
         Watch { projection, ..self }
     }
 
-    /// Whether states are projected onto such equations.
+    /// Whether states are projected.
     pub fn projects(&self) -> bool {
         self.projection.is_some()
     }
 
-    /// The run's time of the last good state.
+    /// The run's time tau of the last valid state.
     pub fn tau(&self) -> S {
         self.tau
     }
 
-    /// The last good state.
+    /// The last valid state.
     pub fn state(&self) -> &[S] {
         &self.state
     }
@@ -76,12 +76,12 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         self.length
     }
 
-    /// Whether the end is not reached yet and the observer wants to go on.
+    /// Whether the run continues: the end is not reached and the observer has not stopped it.
     pub fn goes_on(&self) -> bool {
         self.tau < self.length && self.failed.is_none() && !self.observer.enough()
     }
 
-    /// The end of a run whose method did not fail.
+    /// The kind of end of a run whose method did not fail.
     pub fn end(&self) -> End {
         match self.failed {
             Some(failure) => End::Stopped(failure),
@@ -90,8 +90,8 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         }
     }
 
-    /// The time at which the next step must land at the latest: the end; in a field finer than `f64`, in which the time of a
-    /// step is no number of the clock, also the next output.
+    /// The time at which the next step must end at the latest: the end of the span; in a scalar type finer than `f64`,
+    /// also the next output.
     pub fn landing(&self) -> S {
         match self.output() {
             Some(time) if S::EPSILON < f64::EPSILON => self.span.since_start(time),
@@ -99,17 +99,17 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         }
     }
 
-    /// The clock's time of the next output.
+    /// The time of the next output, s.
     pub fn output(&self) -> Option<f64> {
         self.span.outputs.get(self.next_output).copied()
     }
 
-    /// The run's time of the next output, if that lies at most at tau.
+    /// The run's time of the next output, if it is at most tau.
     pub fn output_up_to(&self, tau: S) -> Option<S> {
         self.output().map(|time| self.span.since_start(time)).filter(|at| *at <= tau)
     }
 
-    /// Shows the next output with a state that the method read between its steps.
+    /// Reports the next output with a state from the method's dense output.
     pub fn sample(&mut self, state: &mut [S]) {
         if let Some(time) = self.output() {
             self.project(S::lift(time), state);
@@ -118,7 +118,7 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         }
     }
 
-    /// Lets the observer look into the step from the last good state to tau.
+    /// Gives the observer access to the states of the step from the last valid state to tau.
     pub fn look_between(&mut self, tau: S, state_after: impl Fn(S, &mut [S])) {
         let (begin, end) = (self.time(), self.time_of(tau));
         let begun = self.tau;
@@ -136,15 +136,15 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         self.projection.is_some_and(|projection| projection.project(time, state))
     }
 
-    /// Takes the state after an accepted step; shows the outputs up to here.
+    /// Records the state after an accepted step, and reports the outputs up to it.
     pub fn accept(&mut self, tau: S, state: &[S]) {
         self.show_within(tau, state);
         self.state.copy_from_slice(state);
         self.accepted(tau);
     }
 
-    /// Takes a state that may be projected onto equations that the motion keeps, leaving the state before in its place: nothing is copied.
-    /// Returns whether it has been moved.
+    /// As [`Self::accept`], without copying: the state may be projected, and is swapped with the previous one. Returns
+    /// whether the projection changed it.
     pub fn take(&mut self, tau: S, state: &mut Vec<S>) -> bool {
         let moved = self.project(self.clock(tau), state);
         self.show_within(tau, state);
@@ -153,7 +153,7 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         moved
     }
 
-    /// Shows the outputs between the last good state and that at tau.
+    /// Reports the outputs between the last valid state and the state at tau.
     fn show_within(&mut self, tau: S, after: &[S]) {
         let end = self.time_of(tau);
         let known = self.span.outputs.iter().skip(self.next_output);
@@ -186,7 +186,7 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         }
     }
 
-    /// Whether a time is that at tau, but for rounding.
+    /// Whether a time equals that at tau up to rounding.
     fn meets(&self, time: f64, tau: S) -> bool {
         let apart = (self.span.since_start(time) - tau).magnitude().approx();
         apart <= 4.0 * S::EPSILON * time.abs().max(tau.approx())
@@ -221,7 +221,7 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         self.rejected += 1;
     }
 
-    /// The clock's time of the last good state.
+    /// The time of the last valid state, s.
     pub fn time(&self) -> f64 {
         self.time_of(self.tau)
     }
@@ -241,8 +241,8 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         let time = self.time();
         let mut work = meter.work();
         (work.steps, work.rejected, work.outputs) = (self.steps, self.rejected, self.within.steps);
-        // a loss that is small beside the largest value along the motion is none, as at the beginning of a motion from
-        // rest
+        // a loss that is small compared with the largest value along the motion is ignored, as at the beginning of a
+        // motion from rest
         let judged = |(_, deviation, largest): (S, Deviation, f64)| {
             let is_lost = deviation.largest > LOST * largest;
             let lost = deviation.lost.filter(|_| is_lost).map(|lost| Lost { size: largest, ..lost });

@@ -1,27 +1,28 @@
-//! States within an accepted step, for outputs that lie between two steps.
+//! States within an accepted step, for outputs between two steps.
 //!
-//! An output changes no step. The state there is one step of the method itself, from the beginning of the accepted step to the
-//! output: it has the method's order in the step, and its error is at most that of the step, which is longer. If a step has as
-//! many outputs as a polynomial has nodes, all are evaluated by the polynomial of degree [`DEGREE`] through that number of
-//! states at Chebyshev's points, if it meets one more state as well as the tolerance requires: the cost of a step is bounded
-//! for any number of outputs. (Berrut and Trefethen, SIAM Review 46, 2004: the barycentric formula.)
+//! Outputs do not affect the steps. The state at an output is computed by a separate step of the method from the
+//! beginning of the accepted step: it has the order of the method, and an error at most that of the longer step. If a
+//! step has more outputs than a polynomial of degree [`DEGREE`] has nodes, the states at the Chebyshev points are
+//! computed and all outputs are interpolated, provided that the polynomial reproduces one more state within the
+//! tolerance. The cost of a step is then bounded for any number of outputs. (Barycentric formula: Berrut and Trefethen,
+//! SIAM Review 46, 2004.)
 
 use crate::{Failure, Outcome, Real, Span, Tolerance, clock};
 use std::time::Instant;
 
-/// The degree of the polynomial through states of one step.
+/// The degree of the interpolating polynomial.
 const DEGREE: usize = 16;
 
-/// The accuracy with which the polynomial must meet the states of a method without a tolerance, relative to their size.
+/// The relative accuracy required of the polynomial for a method without a tolerance.
 const MET: f64 = 1e-11;
 
-/// Makes parts of steps again.
+/// Computes states within steps by additional steps.
 pub(crate) struct Within<'a, S> {
-    /// Runs the method over a span that lies within one of its steps.
+    /// Runs the method over a span within one of its steps.
     again: &'a dyn Fn(&Span<'_, S>) -> Outcome<S>,
-    /// None for a method with a constant step.
+    /// `None` for a method with a constant step.
     tolerance: Option<&'a Tolerance>,
-    /// The number of steps made again.
+    /// The number of additional steps.
     pub steps: u64,
     evaluations: u64,
 }
@@ -38,12 +39,12 @@ impl<'a, S: Real> Within<'a, S> {
         Within { again, tolerance, steps: 0, evaluations: 0 }
     }
 
-    /// The state at a time within the step: by one step from its beginning, by more where one does not succeed.
+    /// The state at a time within the step, by one step from its beginning, or by several where one does not succeed.
     ///
     /// # Errors
-    /// [`Failure`] where the run's budget is spent, or the method fails within a step that it has accepted.
+    /// [`Failure`] where the budget is exhausted, or the method fails within the accepted step.
     pub fn state(&mut self, run: &Span<'_, S>, begin: StepEnd<'_, S>, time: f64) -> Result<Vec<S>, Failure> {
-        // a step takes too few evaluations for its own clocks to be read
+        // the step is too short for its own checks of the clock
         if let Some(over) = clock::over() {
             return Err(over.failure(begin.time));
         }
@@ -62,7 +63,7 @@ impl<'a, S: Real> Within<'a, S> {
         }
     }
 
-    /// The rest of the run's budget: outputs may take as much as the run.
+    /// Runs with the rest of the budget: outputs may cost as much as the run.
     fn run(&mut self, run: &Span<'_, S>, mut span: Span<'_, S>) -> Outcome<S> {
         span.budget = run.budget;
         span.budget.evaluations = run.budget.evaluations.saturating_sub(self.evaluations).max(1);
@@ -72,8 +73,8 @@ impl<'a, S: Real> Within<'a, S> {
         outcome
     }
 
-    /// The polynomial through states of the step, where there are enough outputs for it; `None` also where it does not meet
-    /// one more state.
+    /// The interpolating polynomial of the step; `None` where there are too few outputs, or it does not reproduce one
+    /// more state.
     ///
     /// # Errors
     /// Those of [`Self::state`].
@@ -105,7 +106,7 @@ impl<'a, S: Real> Within<'a, S> {
     }
 }
 
-/// A polynomial through states at Chebyshev's points of an interval.
+/// An interpolating polynomial through states at the Chebyshev points of an interval.
 pub(crate) struct Polynomial<S> {
     nodes: Vec<f64>,
     states: Vec<Vec<S>>,
@@ -134,7 +135,7 @@ impl<S: Real> Polynomial<S> {
     }
 }
 
-/// The k-th of Chebyshev's points of the second kind on (0, 1), from the left.
+/// The k-th Chebyshev point of the second kind on (0, 1), in ascending order.
 fn chebyshev(k: usize) -> f64 {
     0.5 - 0.5 * (std::f64::consts::PI * k as f64 / DEGREE as f64).cos()
 }

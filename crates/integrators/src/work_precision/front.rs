@@ -1,11 +1,12 @@
 //! The Pareto front of cost and error.
 
-/// The points (cost, error) that no other dominates, from the cheapest to the most exact. A point dominates another where it
-/// is no worse in either and better in one; of equal points the first stays. NaN and negative numbers are on no front.
+/// The indices of the points (cost, error) on the Pareto front, by ascending cost. A point dominates another if it is
+/// not worse in either coordinate and better in one; of equal points the first one is kept. NaN and negative errors are
+/// never on the front.
 pub fn front(points: &[(f64, f64)]) -> Vec<usize> {
     let known = |&at: &usize| points[at].0.is_finite() && points[at].1.is_finite() && points[at].1 >= 0.0;
     let mut order: Vec<usize> = (0..points.len()).filter(known).collect();
-    // stable: equal points stay in their order
+    // stable sort: equal points keep their order
     order.sort_by(|&a, &b| points[a].0.total_cmp(&points[b].0).then(points[a].1.total_cmp(&points[b].1)));
     let mut least = f64::INFINITY;
     order.retain(|&at| {
@@ -16,7 +17,7 @@ pub fn front(points: &[(f64, f64)]) -> Vec<usize> {
     order
 }
 
-/// For each point its cost over the least cost of a point that is at least as exact: 1 on the front.
+/// The cost of each point divided by the smallest cost of a point with at most the same error; 1 on the front.
 pub fn excess(points: &[(f64, f64)]) -> Vec<f64> {
     let front = front(points);
     let least = |error: f64| front.iter().find(|&&at| points[at].1 <= error).map_or(f64::NAN, |&at| points[at].0);
@@ -41,7 +42,7 @@ mod tests {
         assert_eq!(front(&[]), [0_usize; 0]);
     }
 
-    /// Comparison with the definition, over all triples of a small grid.
+    /// Comparison with the definition of dominance, over all triples of a small grid.
     #[test]
     fn the_front_is_what_its_definition_says() {
         let grid: Vec<(f64, f64)> = (0..9).map(|i| (f64::from(i % 3), f64::from(i / 3))).collect();

@@ -1,31 +1,30 @@
-//! Interleaved timing: the runs take turns, and a slow phase of the machine meets them all.
+//! Interleaved timing: the runs are measured in turns, so that slow phases of the machine affect all of them.
 
 use std::time::{Duration, Instant};
 
-/// The shortest time that is measured: a faster run is repeated within one measurement.
+/// The shortest time of a measurement: a faster run is repeated within one measurement.
 const SHORTEST: Duration = Duration::from_micros(200);
-/// Measurements after which a median is settled, for short runs too.
+/// The number of measurements of a median.
 const ENOUGH: usize = 9;
-/// The least number of measurements of a median, and the least sum of their times if they are no more: a long run meets
-/// many phases of the machine by itself.
+/// The smallest number of measurements of a median, and the total time after which they suffice for a long run.
 const FEWEST: usize = 3;
 const LONG: Duration = Duration::from_millis(12);
 
-/// The median of a run's times.
+/// The median time of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Median {
     pub seconds: f64,
-    /// The number of measurements of which this is the median.
+    /// The number of measurements.
     pub measurements: usize,
 }
 
-/// Medians of runs that take turns until each is settled or the time is over. A run that returns false is not called
-/// again and has no median; nor has one that was not called because the time was over.
+/// The median times of `count` runs, measured in turns until each median is settled or the time `allowed` is over. A
+/// run that returns false, or was never called, has no median.
 pub fn interleaved(count: usize, allowed: Duration, run: impl FnMut(usize) -> bool) -> Vec<Option<Median>> {
     at_most(ENOUGH, count, allowed, run)
 }
 
-/// [`interleaved`] with at most so many turns.
+/// As [`interleaved`], with at most `enough` turns.
 pub(crate) fn at_most(
     enough: usize,
     count: usize,

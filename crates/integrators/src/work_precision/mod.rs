@@ -1,4 +1,4 @@
-//! Work against precision: every method at every tolerance, errors against a reference, times taken side by side.
+//! Work-precision measurements: methods at several tolerances, with errors against a reference and interleaved timing.
 
 mod front;
 mod interleaved_timing;
@@ -13,33 +13,33 @@ use std::time::{Duration, Instant};
 use crate::{Attempt, Failure, Means, Record, Span, Tolerance, Work};
 use interleaved_timing::at_most;
 
-/// One run, a point of the chart.
+/// One run: a point of a work-precision chart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
     pub means: Means,
-    /// None for a method with a constant step.
+    /// The tolerance; `None` for a method with a constant step.
     pub tolerance: Option<f64>,
-    /// The error by the benchmark's error function, or why there is none.
+    /// The error by the benchmark's error function, or the failure of the run.
     pub error: Result<f64, Failure>,
     pub work: Work,
     /// The work in evaluations: see [`Attempt::evaluations`].
     pub evaluations: u64,
-    /// The time; none for a run that failed, or that was not measured.
+    /// The time; `None` for a run that failed or was not timed.
     pub time: Option<Median>,
 }
 
-/// A problem that methods solve, and the measure of their errors.
+/// A problem for the comparison of methods, with its error measure.
 #[derive(Clone, Copy)]
 pub struct Benchmark<'a> {
     pub span: &'a Span<'a, f64>,
-    /// The sizes of the state's components.
+    /// The size of each component of the state.
     pub sizes: &'a [f64],
-    /// The error of a record of the states at the span's outputs.
+    /// The error of a record of the states at the outputs of the span.
     pub error: &'a dyn Fn(&Record<f64>) -> f64,
 }
 
-/// Runs every attempt at every tolerance, one with a constant step once, without times: several problems may be judged at
-/// once. Each run may take its share of the remaining time: few need it.
+/// Runs every attempt at every tolerance (a method with a constant step once), without timing, so that several problems
+/// can be judged in parallel. The time `allowed` is shared among the runs.
 pub fn judge(attempts: &[Attempt<'_>], course: &Benchmark<'_>, tolerances: &[f64], allowed: Duration) -> Vec<Point> {
     let end = Instant::now() + allowed;
     let tried: Vec<(f64, &Attempt<'_>)> = tolerances
@@ -56,7 +56,7 @@ pub fn judge(attempts: &[Attempt<'_>], course: &Benchmark<'_>, tolerances: &[f64
         let tolerance = Tolerance::scaled(relative, course.sizes);
         let mut record = Record::new();
         let outcome = attempt.run(&tolerance, &bare(course.span, Instant::now() + share), &mut record);
-        // the error is NaN where the run is not at the instants of the reference
+        // the error is NaN if the record has other times than the reference
         let compared = |error: f64| match error.is_nan() {
             true => Err(Failure::OtherCourse { at: outcome.time }),
             false => Ok(error),
@@ -70,7 +70,7 @@ pub fn judge(attempts: &[Attempt<'_>], course: &Benchmark<'_>, tolerances: &[f64
     judged.collect()
 }
 
-/// The part of the remaining time that a run may take at most; none is refused as much.
+/// A run may take the remaining time divided by the number of remaining runs, or by this number if that is smaller.
 const MOST_SHARES: usize = 8;
 
 /// A run that reached its end, to be timed.
@@ -82,16 +82,16 @@ pub struct Timed<'a> {
     pub evaluations: u64,
 }
 
-/// The cost relative to the front up to which times are measured until their median is settled.
+/// A run with at most this cost relative to the Pareto front is measured until its median is settled.
 const NEAR: f64 = 2.0;
 /// The number of measurements of all other runs.
 const FEW: usize = 3;
 
-/// The times of runs that reached their ends, interleaved, while nothing else runs: a median of a few measurements for
-/// each, of more for those near the front. The cheapest have the first turns: a lack of time meets the dearest.
+/// The times of runs that reached their ends, measured in turns. Runs near the Pareto front get more measurements. The
+/// cheapest runs come first, so that the most expensive ones are skipped if the time is short.
 pub fn measure(runs: &[Timed<'_>], allowed: Duration) -> Vec<Option<Median>> {
     let deadline = Instant::now() + allowed;
-    // outputs change no step, and are not timed
+    // outputs do not affect the steps and are not timed
     let timed = |run: &Timed<'_>| bare(run.span, deadline).with_outputs(&[run.span.end]);
     let spans: Vec<Span<'static, f64>> = runs.iter().map(timed).collect();
     let go = |at: usize| runs[at].attempt.run(&runs[at].tolerance, &spans[at], &mut ()).reached();

@@ -1,19 +1,17 @@
-//! The regret of a choice of method, its cost over that of the best: over many problems, for one method that serves
-//! them all.
+//! The regret of a choice of method: its cost divided by that of the best method, over many problems.
 //!
-//! The cost of a method at an error is read off its measured points, straight between neighbours where both axes are
-//! logarithms, and never beyond them: a method that was not seen to reach an error has no cost there. Its regret on a
-//! problem is its cost over the least of all methods; the best single choice serves most problems, with the least of the
-//! largest regrets.
+//! The cost of a method at a given error is interpolated linearly between its measured points in logarithmic axes, and
+//! never extrapolated. The regret on a problem is the cost divided by the smallest cost of all methods. The best single
+//! choice solves the most problems and among those choices has the smallest maximum regret.
 
-/// A measured run: its cost and its error, or none if it failed.
+/// A measured run: its cost and its error, `None` if it failed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trial {
     pub cost: f64,
     pub error: Option<f64>,
 }
 
-/// The least cost of an error by the trials of one method.
+/// The smallest cost of an error by the runs of one method; `None` where the error was not reached.
 pub fn cost(trials: &[Trial], error: f64) -> Option<f64> {
     let known =
         |trial: &Trial| Some((trial.cost, trial.error?)).filter(|(cost, error)| cost.is_finite() && *error >= 0.0);
@@ -22,7 +20,7 @@ pub fn cost(trials: &[Trial], error: f64) -> Option<f64> {
     let reached = points.iter().position(|(_, found)| *found <= error)?;
     let (dear, exact) = points[reached];
     let Some(&(cheap, rough)) = reached.checked_sub(1).and_then(|before| points.get(before)) else { return Some(dear) };
-    // the better point may have an error of zero: nothing is read between
+    // no interpolation to a point with the error zero
     if exact <= 0.0 {
         return Some(dear);
     }
@@ -30,17 +28,17 @@ pub fn cost(trials: &[Trial], error: f64) -> Option<f64> {
     Some(cheap * (dear / cheap).powf(share))
 }
 
-/// Costs of methods (rows) on problems (columns); none where the error was not reached.
+/// The regrets of methods (rows) on problems (columns); `None` where the error was not reached.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Regrets {
-    /// Cost over the least cost in the column.
+    /// The cost divided by the smallest cost in the column.
     pub rows: Vec<Vec<Option<f64>>>,
-    /// The cheapest method of each column.
+    /// The index of the cheapest method of each column.
     pub best: Vec<Option<usize>>,
 }
 
 impl Regrets {
-    /// The regrets by costs.
+    /// The regrets from the costs `costs[method][problem]`.
     pub fn of(costs: &[Vec<Option<f64>>]) -> Self {
         let columns = costs.iter().map(Vec::len).max().unwrap_or(0);
         let entry = |row: usize, column: usize| costs[row].get(column).copied().flatten();
@@ -62,12 +60,12 @@ impl Regrets {
         self.rows[row].iter().flatten().count()
     }
 
-    /// The largest regret of a method where it reached the error; none where it never did.
+    /// The largest regret of a method; `None` where it never reached the error.
     pub fn largest(&self, row: usize) -> Option<f64> {
         self.rows[row].iter().flatten().copied().reduce(f64::max)
     }
 
-    /// The method that serves most problems, and of these the one with the least of the largest regrets.
+    /// The method that solves the most problems, and of these the one with the smallest maximum regret.
     pub fn best_single_choice(&self) -> Option<usize> {
         let all = (0..self.rows.len()).filter_map(|row| Some((row, self.served(row), self.largest(row)?)));
         all.min_by(|a, b| b.1.cmp(&a.1).then(a.2.total_cmp(&b.2))).map(|(row, ..)| row)

@@ -7,7 +7,7 @@ use crate::definite::{NotDefinite, root};
 use crate::differentiate::fixed;
 use field::{Over, Scalar};
 
-/// dS'/dp'_j - Q'_j at the rates p'.
+/// The residuals dS'/dp'_j - Q'_j at the rates p'.
 pub fn residual<Q: PointSystem<N>, S: Over<Q::Given>, const N: usize, const R: usize>(
     system: &Q,
     motion: &Motion<S, N, R>,
@@ -20,10 +20,10 @@ pub fn residual<Q: PointSystem<N>, S: Over<Q::Given>, const N: usize, const R: u
     std::array::from_fn(|j| by_energy[j] - generalised[j])
 }
 
-/// p' by Appell's equations.
+/// The rates p' by Appell's equations.
 ///
 /// # Errors
-/// [`NotDefinite`] names the first field that depends on those before it.
+/// [`NotDefinite`] with the index of the first field that depends linearly on those before it.
 pub fn rates<Q: PointSystem<N>, S: Over<Q::Given>, const N: usize, const R: usize>(
     system: &Q,
     motion: &Motion<S, N, R>,
@@ -32,7 +32,7 @@ pub fn rates<Q: PointSystem<N>, S: Over<Q::Given>, const N: usize, const R: usiz
     root(|dp| residual(system, &motion.fixed(), fixed(force), dp))
 }
 
-/// S = 1/2 sum m_i x_i''^2.
+/// The acceleration energy S = 1/2 sum m_i x_i''^2.
 fn acceleration_energy<S: Scalar, const N: usize>(masses: [S; N], acceleration: [S; N]) -> S {
     super::kinetic_energy(masses, acceleration)
 }

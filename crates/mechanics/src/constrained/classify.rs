@@ -1,12 +1,12 @@
 //! Classification of a system's constraints.
 //!
 //! * *redundant*: follows from the others;
-//! * *rheonomic*: contains the time;
+//! * *rheonomic*: depends on time explicitly;
 //! * *nonlinear*: kinematic and not linear in the velocities;
 //! * *holonomic in disguise*: kinematic, and integrable together with the others (Frobenius);
-//! * *nonholonomic*: kinematic, and not.
+//! * *nonholonomic*: kinematic, and not integrable.
 //!
-//! The last two are properties of all constraints together, and are therefore counted: a constraint may be integrable
+//! The last two are properties of the constraints together, and are therefore counted: a constraint may be integrable
 //! only because of another one.
 
 pub use super::distribution::{Obstruction, Unclassified};
@@ -15,7 +15,7 @@ use super::{Constrained, Constraint, State};
 use std::fmt;
 use symbolic::Sym;
 
-/// The classification; constraints by their places in the system's order.
+/// The classification of the constraints of a system, which are given by their indices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Class {
     pub redundant: Vec<usize>,
@@ -27,11 +27,11 @@ pub struct Class {
     pub in_disguise: usize,
     /// The number of kinematic constraints that are not integrable.
     pub nonholonomic: usize,
-    /// A bracket that shows why they are not integrable.
+    /// A Lie bracket that proves nonintegrability.
     pub obstruction: Option<Obstruction>,
 }
 
-/// The kind of the system as a whole.
+/// The kind of a system, by all its constraints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Geometric constraints only.
@@ -40,12 +40,12 @@ pub enum Kind {
     HolonomicInDisguise,
     /// Some kinematic constraint is not integrable.
     Nonholonomic,
-    /// Some kinematic constraint is not linear in the velocities: Frobenius' theorem does not apply to it.
+    /// Some kinematic constraint is nonlinear in the velocities: Frobenius' theorem does not apply to it.
     Nonlinear,
 }
 
 impl Class {
-    /// The kind of the system as a whole.
+    /// The kind of the system.
     pub fn kind(&self) -> Kind {
         match self {
             _ if !self.nonlinear.is_empty() => Kind::Nonlinear,
@@ -79,10 +79,11 @@ impl fmt::Display for Class {
     }
 }
 
-/// The class at a general place: x as expressions in symbols (and in `time`) that satisfy the geometric constraints.
+/// The classification at a general position: x as expressions in symbols (and in `time`) that satisfy the geometric
+/// constraints.
 ///
 /// # Errors
-/// [`Unclassified`] where the prover gave up, or the constraints contradict each other.
+/// [`Unclassified`] where the zero test of an expression fails, or the constraints contradict each other.
 pub fn classify<Q, const N: usize, const C: usize>(
     system: &Q,
     time: Sym,
@@ -135,7 +136,7 @@ where
     Ok(class)
 }
 
-/// Whether dphi/dx' contains no x'.
+/// Whether dphi/dx' does not depend on x'.
 fn is_linear<const N: usize>(place: &Place, slopes: &[Sym; N], dx: [Sym; N]) -> Result<bool, Unclassified> {
     for slope in slopes {
         for speed in dx {

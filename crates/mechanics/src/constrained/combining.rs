@@ -1,12 +1,13 @@
-//! Painleve's method of combining constraints: a reaction R as the force of the constraints and the force of friction.
+//! Painleve's combination of constraints: decomposition of a reaction R into a constraint force and a friction force.
 //!
-//! R = R^n + R^tau, where R^n = J^T lambda does no work on virtual displacements (J dx = 0), and R^tau points to one:
+//! R = R^n + R^tau, where R^n = J^T lambda does no work on virtual displacements (J dx = 0). The second part satisfies
 //!
-//! * Painleve: R^tau itself is a virtual displacement, J R^tau = 0;
-//! * extended: M^-1 R^tau is one, J M^-1 R^tau = 0.
+//! * Painleve: R^tau is a virtual displacement, J R^tau = 0;
+//! * extended: M^-1 R^tau is a virtual displacement, J M^-1 R^tau = 0.
 //!
-//! Both are orthogonal projections, in the metric 1 and in M^-1. Both exist and are unique; lambda is unique where J has
-//! full rank. In the extended one lambda is as without friction, because R^tau moves no constraint.
+//! Both are orthogonal projections, in the metrics 1 and M^-1. Both exist and are unique; lambda is unique where J has
+//! full rank. In the extended decomposition lambda is that without friction, since R^tau does not accelerate the
+//! constraints.
 
 use crate::definite::{NotDefinite, solve};
 use field::Scalar;
@@ -14,18 +15,18 @@ use field::Scalar;
 /// The two parts of a reaction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Combined<S, const N: usize, const C: usize> {
-    /// lambda
+    /// The multipliers lambda.
     pub multipliers: [S; C],
-    /// R^n = J^T lambda
+    /// The constraint force R^n = J^T lambda.
     pub of_constraints: [S; N],
-    /// R^tau
+    /// The friction force R^tau.
     pub of_friction: [S; N],
 }
 
-/// The extended decomposition with the masses m.
+/// The extended decomposition for the masses m.
 ///
 /// # Errors
-/// [`NotDefinite`] names the first row of J that depends on those before it.
+/// [`NotDefinite`] with the index of the first row of J that depends linearly on those before it.
 pub fn extended<S: Scalar, const N: usize, const C: usize>(
     masses: [S; N],
     rows: [[S; N]; C],
@@ -39,10 +40,10 @@ pub fn extended<S: Scalar, const N: usize, const C: usize>(
     Ok(Combined { multipliers, of_constraints, of_friction })
 }
 
-/// Painleve's own decomposition: the extended one of a system with equal masses.
+/// Painleve's decomposition: the extended one for equal masses.
 ///
 /// # Errors
-/// [`NotDefinite`] names the first row of J that depends on those before it.
+/// [`NotDefinite`] with the index of the first row of J that depends linearly on those before it.
 pub fn painleve<S: Scalar, const N: usize, const C: usize>(
     rows: [[S; N]; C],
     reaction: [S; N],

@@ -1,29 +1,31 @@
-//! Points that touch rough curves.
+//! Frictional contacts between points and curves.
 
 use super::newton::Reactions;
 use super::{Charted, Constrained, Constraint, PointSystem, State};
 use field::{Analytic, Over};
 
-/// A point of the system beside a rough curve that it may touch.
+/// A contact between a point of the system and a rough curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<S> {
-    /// The distance from the curve: zero while they touch, positive beside a one-sided curve. Its multiplier is the
-    /// normal reaction.
+    /// The distance from the curve: zero in contact, positive away from a one-sided curve. The multiplier of gap = 0 is
+    /// the normal reaction.
     pub gap: S,
-    /// The place along the curve: its rate is the velocity of sliding, its multiplier the tangential reaction.
+    /// The position along the curve. Its rate is the sliding velocity, the multiplier of a constant position the
+    /// tangential reaction.
     pub along: S,
-    /// f of Coulomb's law |tangential| <= f |normal|, with equality and against the velocity where there is sliding.
+    /// The coefficient f of Coulomb's law |tangential| <= f |normal|, with equality and opposite to the velocity in
+    /// sliding.
     pub friction: S,
-    /// Whether the point can leave the curve.
+    /// Whether the contact is unilateral or bilateral.
     pub sides: Sides,
 }
 
-/// The sides from which a curve holds a point.
+/// The kinds of contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sides {
-    /// The curve only pushes: gap >= 0, normal reaction >= 0.
+    /// Unilateral: gap >= 0, normal reaction >= 0.
     One,
-    /// A guide, from both sides: gap = 0, a normal reaction of either sign.
+    /// Bilateral (a guide): gap = 0, with a normal reaction of either sign.
     Two,
 }
 
@@ -33,7 +35,7 @@ pub trait Contacts<const N: usize, const C: usize, const K: usize>: Constrained<
     fn contacts<S: Over<Self::Given>>(&self, time: S, place: [S; N]) -> [Contact<S>; K];
 }
 
-/// The system with all its contacts kept closed: the gaps are geometric constraints after the system's own.
+/// The system with all contacts closed: the gaps are geometric constraints, after the system's own constraints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closed<Q, const C: usize, const K: usize>(pub Q);
 
@@ -61,7 +63,7 @@ where
     }
 }
 
-/// The chart, which closes the gaps.
+/// The chart of the system, in which the gaps are closed.
 impl<Q, const N: usize, const C: usize, const K: usize, const A: usize, const R: usize> Charted<N, A, R>
     for Closed<Q, C, K>
 where
@@ -76,7 +78,7 @@ where
     }
 }
 
-/// The reactions of the system, with those of its contacts.
+/// The reactions of the system, then those of its contacts.
 impl<Q: Reactions<N, D>, const N: usize, const C: usize, const K: usize, const D: usize> Reactions<N, D>
     for Closed<Q, C, K>
 {

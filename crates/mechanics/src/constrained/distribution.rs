@@ -1,18 +1,18 @@
-//! The directions that constraints leave, and the directions that their brackets reach.
+//! The distribution of admissible directions of constraints, and its closure under Lie brackets.
 //!
 //! Rows of linear forms in (dt, dx) are solved for as many dx as they determine. The vectors that they annihilate are
-//! spanned by fields X_0 (in time) and X_j (one for each free coordinate). By Frobenius' theorem the rows are
-//! differentials of functions f(x, t) if and only if the brackets [X_i, X_j] stay in their span; otherwise brackets of
-//! brackets are added until nothing new comes, and the codimension of the whole is the number of such functions.
+//! spanned by fields X_0 (in time) and X_j (one for each free coordinate). By Frobenius' theorem the rows are spanned
+//! by differentials of functions f(x, t) if and only if the brackets [X_i, X_j] stay in the span. Otherwise iterated
+//! brackets are added until the span is closed; its codimension is the number of such functions.
 
 use symbolic::{Decision, Hypotheses, Sym, decide, substitute_all};
 
-/// Why a constraint was not classified.
+/// The reason why the constraints were not classified.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Unclassified {
-    /// It was not decided, for this reason, whether an expression vanishes at the place.
+    /// The zero test of an expression at the position failed, for this reason.
     Undecided(String),
-    /// This constraint admits no motion in time: it contradicts those before it.
+    /// The constraint with this index contradicts those before it: no motion in time satisfies it.
     Contradiction(usize),
 }
 
@@ -27,17 +27,17 @@ impl std::fmt::Display for Unclassified {
 
 impl std::error::Error for Unclassified {}
 
-/// The coordinates (t, x) and a general place among those that the geometric constraints allow.
+/// The coordinates (t, x), and a general position that satisfies the geometric constraints.
 #[derive(Clone, Debug)]
 pub(super) struct Place {
-    /// t, then the x.
+    /// The symbols of t, then of x.
     pub coordinates: Vec<Sym>,
-    /// The values of the symbols at the place, in other symbols.
+    /// The values of these symbols at the position, as expressions in other symbols.
     pub values: Vec<(Sym, Sym)>,
 }
 
 impl Place {
-    /// Whether an expression in the coordinates vanishes at the place.
+    /// Whether an expression in the coordinates vanishes at the position.
     pub fn vanishes(&self, expression: Sym) -> Result<bool, Unclassified> {
         match decide(expression.substitute(&self.values), &Hypotheses::none()) {
             Decision::Zero(_) => Ok(true),
@@ -46,7 +46,7 @@ impl Place {
         }
     }
 
-    /// The first component, from a column on, that does not vanish at the place.
+    /// The index of the first component, at or after `from`, that does not vanish at the position.
     fn first_present(&self, vector: &[Sym], from: usize) -> Result<Option<usize>, Unclassified> {
         for (column, &component) in vector.iter().enumerate().skip(from) {
             if !self.vanishes(component)? {
@@ -56,22 +56,22 @@ impl Place {
         Ok(None)
     }
 
-    /// A vector at the place.
+    /// A vector evaluated at the position.
     fn values_of(&self, vector: &[Sym]) -> Vec<Sym> {
         substitute_all(vector, &self.values)
     }
 }
 
-/// Rows solved for the coordinates that they determine.
+/// Rows in reduced echelon form.
 #[derive(Clone, Debug)]
 pub(super) struct Solved {
-    /// (column of the determined coordinate, row with 1 there), reduced among themselves.
+    /// Pairs of the column of a determined coordinate and its row, which has the entry 1 there.
     rows: Vec<(usize, Vec<Sym>)>,
-    /// The rows that follow from those before them, by their numbers.
+    /// The numbers of the rows that depend on those before them.
     pub redundant: Vec<usize>,
 }
 
-/// Gauss and Jordan, each pivot an entry that does not vanish at the place; the column of dt is never one.
+/// Gauss-Jordan elimination with pivots that do not vanish at the position; the column of dt is never a pivot.
 pub(super) fn solve(place: &Place, numbered: &[(usize, Vec<Sym>)]) -> Result<Solved, Unclassified> {
     let mut solved = Solved { rows: Vec::new(), redundant: Vec::new() };
     for (number, row) in numbered {
@@ -105,7 +105,7 @@ impl Solved {
         self.rows.len()
     }
 
-    /// X_0 and the X_j, each with the coordinate that it moves by one.
+    /// The fields X_0 and X_j, each with the index of the coordinate that it changes by one.
     pub fn fields(&self, columns: usize) -> Vec<(usize, Vec<Sym>)> {
         let determined = |column: usize| self.rows.iter().any(|(pivot, _)| *pivot == column);
         let free = (0..columns).filter(|&column| !determined(column));
@@ -121,16 +121,16 @@ impl Solved {
     }
 }
 
-/// A bracket that leaves the span of the fields.
+/// A Lie bracket outside the span of the fields.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Obstruction {
-    /// The coordinates that the two fields move freely: 0 for the time, i for the i-th x.
+    /// The coordinates of the two fields: 0 for the time, i for the i-th x.
     pub fields: [usize; 2],
-    /// The components of their bracket along (t, x), at the place.
+    /// The components of their bracket along (t, x), at the position.
     pub bracket: Vec<Sym>,
 }
 
-/// The dimension of all that brackets reach, and the first bracket that leaves the span.
+/// The dimension of the closure under brackets, and the first bracket outside the span.
 pub(super) fn reach(place: &Place, fields: &[(usize, Vec<Sym>)]) -> Result<(usize, Option<Obstruction>), Unclassified> {
     let mut span = Span::default();
     for (_, field) in fields {
@@ -155,7 +155,7 @@ pub(super) fn reach(place: &Place, fields: &[(usize, Vec<Sym>)]) -> Result<(usiz
     Ok((span.rows.len(), obstruction))
 }
 
-/// [X, Y]^i = X(Y^i) - Y(X^i)
+/// The Lie bracket [X, Y]^i = X(Y^i) - Y(X^i).
 fn bracket(coordinates: &[Sym], x: &[Sym], y: &[Sym]) -> Vec<Sym> {
     let along = |field: &[Sym], component: Sym| {
         let moved = coordinates.iter().zip(field).filter(|(_, speed)| **speed != Sym::ZERO);
@@ -164,14 +164,14 @@ fn bracket(coordinates: &[Sym], x: &[Sym], y: &[Sym]) -> Vec<Sym> {
     x.iter().zip(y).map(|(&xi, &yi)| along(x, yi) - along(y, xi)).collect()
 }
 
-/// Independent vectors at the place, in echelon form.
+/// Independent vectors at the position, in echelon form.
 #[derive(Default)]
 struct Span {
     rows: Vec<(usize, Vec<Sym>)>,
 }
 
 impl Span {
-    /// Whether the vector is new; it belongs to the span from then on.
+    /// Adds a vector. Returns whether it was independent of the span.
     fn add(&mut self, place: &Place, vector: &[Sym]) -> Result<bool, Unclassified> {
         let mut rest = place.values_of(vector);
         for (pivot, row) in &self.rows {

@@ -1,8 +1,9 @@
-//! Systems given by energies in generalised coordinates, with geometric constraints between these.
+//! Systems given by energies in generalised coordinates, with geometric constraints.
 //!
 //! L(t, q, q'), Rayleigh's dissipation function D, forces Q and constraints f(q, t) = 0 give
 //! d/dt dL/dq' - dL/dq = Q - dD/dq' + J^T lambda, that is M q'' = F + J^T lambda with M = d^2L/dq'^2 and J = df/dq.
-//! A charge is a coordinate as an angle is; its mass is an inductance, its stiffness the inverse of a capacitance.
+//! An electric charge is a generalised coordinate too: its mass is an inductance, its stiffness the inverse of a
+//! capacitance.
 
 use super::State;
 use super::multipliers::Reaction;
@@ -12,25 +13,25 @@ use crate::differentiate::{along, fixed, gradient, unit};
 use crate::lagrange::rheonomic;
 use field::{Analytic, Base, Over, Scalar, Tangent};
 
-/// N coordinates with energies, C constraints between them.
+/// A system with N generalised coordinates, given by energies, and C constraints.
 pub trait Energies<const N: usize, const C: usize> {
-    /// The field of the parameters.
+    /// The scalar type of the parameters.
     type Given: Base;
 
-    /// L(t, q, q'), of the second degree in q' with a positive definite form.
+    /// The Lagrangian L(t, q, q'), quadratic in q' with a positive definite form.
     fn lagrangian<S: Over<Self::Given> + Analytic>(&self, time: S, q: [S; N], dq: [S; N]) -> S;
 
-    /// D(t, q, q'): forces -dD/dq'.
+    /// Rayleigh's dissipation function D(t, q, q'), which gives the forces -dD/dq'.
     fn dissipation<S: Over<Self::Given> + Analytic>(&self, time: S, q: [S; N], dq: [S; N]) -> S;
 
-    /// Q(t, q, q')
+    /// The generalised forces Q(t, q, q').
     fn force<S: Over<Self::Given> + Analytic>(&self, time: S, q: [S; N], dq: [S; N]) -> [S; N];
 
-    /// f(q, t)
+    /// The constraints f(q, t).
     fn constraints<S: Over<Self::Given> + Analytic>(&self, time: S, q: [S; N]) -> [S; C];
 }
 
-/// f and f' of a system at t, q, q', without derivatives by the coordinates.
+/// The residuals f and f' at t, q, q'. Needs no derivatives by the coordinates.
 pub fn violation<Q: Energies<N, C>, S: Over<Q::Given> + Analytic, const N: usize, const C: usize>(
     system: &Q,
     at: &State<S, N>,
@@ -39,27 +40,27 @@ pub fn violation<Q: Energies<N, C>, S: Over<Q::Given> + Analytic, const N: usize
     Violation { value: moved.map(|f| f.value), rate: moved.map(|f| f.slope) }
 }
 
-/// The terms of the equations of motion at an instant.
+/// The terms of the equations of motion M q'' = F + J^T lambda at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Instant<S, const N: usize, const C: usize> {
-    /// M
+    /// The mass matrix M.
     pub mass: [[S; N]; N],
-    /// F: the value of M q'' without constraints
+    /// The forces F: M q'' without constraints.
     pub force: [S; N],
     /// The constraints and their derivatives.
     pub kinematics: Kinematics<S, N, C>,
 }
 
-/// The constraints at an instant, without masses and forces.
+/// The constraints at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kinematics<S, const N: usize, const C: usize> {
-    /// J
+    /// The Jacobian J = df/dq.
     pub rows: [[S; N]; C],
-    /// f
+    /// The residuals f.
     pub value: [S; C],
-    /// f' = J q' + df/dt
+    /// The rates f' = J q' + df/dt.
     pub rate: [S; C],
-    /// f'' at q'' = 0
+    /// f'' for q'' = 0.
     pub curvature: [S; C],
 }
 
@@ -82,7 +83,7 @@ impl<S: Scalar, const N: usize, const C: usize> Kinematics<S, N, C> {
         }
     }
 
-    /// f and f'.
+    /// The residuals f and f'.
     pub fn violation(&self) -> Violation<S, C> {
         Violation { value: self.value, rate: self.rate }
     }
@@ -105,10 +106,11 @@ impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
         }
     }
 
-    /// Accelerations and multipliers with which f'' is as wanted.
+    /// The accelerations and multipliers for which f'' = `wanted`.
     ///
     /// # Errors
-    /// [`NotDefinite`] names the first coordinate without mass, or the first constraint that depends on those before it.
+    /// [`NotDefinite`] with the index of the first coordinate without mass, or of the first constraint that depends on
+    /// those before it.
     pub fn leading_to(&self, wanted: [S; C]) -> Result<Reaction<S, N, C>, NotDefinite> {
         let free = self.free()?;
         let missing =
@@ -117,7 +119,7 @@ impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
         Ok(Reaction { acceleration: std::array::from_fn(|i| free[i] + change[i]), multipliers })
     }
 
-    /// The least change d of q, q' or q'', measured by M, with J d = `missing`: reactions alone cause it.
+    /// The smallest change d of q, q' or q'' in the metric of M with J d = `missing`: d = M^-1 J^T mu.
     ///
     /// # Errors
     /// As for [`Self::leading_to`].
@@ -125,15 +127,15 @@ impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
         self.least(missing).map(|(_, change)| change)
     }
 
-    /// M^-1 F: q'' without constraints.
+    /// The accelerations M^-1 F without constraints.
     ///
     /// # Errors
-    /// [`NotDefinite`] names the first coordinate without mass.
+    /// [`NotDefinite`] with the index of the first coordinate without mass.
     pub fn free(&self) -> Result<[S; N], NotDefinite> {
         solve(self.mass, self.force)
     }
 
-    /// M^-1 J^T, one row for each constraint: the accelerations by a unit of each multiplier.
+    /// M^-1 J^T, as one row of N accelerations for each unit multiplier.
     ///
     /// # Errors
     /// As for [`Self::free`].
@@ -145,7 +147,7 @@ impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
         Ok(pushes)
     }
 
-    /// mu and d = M^-1 J^T mu with J d = missing.
+    /// The multipliers mu and the change d = M^-1 J^T mu with J d = `missing`.
     fn least(&self, missing: [S; C]) -> Result<([S; C], [S; N]), NotDefinite> {
         let pushes = self.pushes()?;
         let multipliers = solve(self.kinematics.rows.map(|row| pushes.map(|push| dot(row, push))), missing)?;
@@ -154,7 +156,7 @@ impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
     }
 }
 
-/// M = d^2L/dq'^2
+/// The mass matrix M = d^2L/dq'^2.
 fn mass<Q: Energies<N, C>, S: Over<Q::Given> + Analytic, const N: usize, const C: usize>(
     system: &Q,
     at: &State<S, N>,
@@ -179,7 +181,7 @@ fn dot<S: Scalar, const N: usize>(a: [S; N], b: [S; N]) -> S {
     (0..N).fold(S::zero(), |sum, i| sum + a[i] * b[i])
 }
 
-/// q'.dL/dq' - L: the energy, where L does not depend on time and its part of first degree does no work.
+/// The energy q'.dL/dq' - L, which is conserved under no other forces if L does not depend on time.
 pub fn energy<Q: Energies<N, C>, S: Over<Q::Given> + Analytic, const N: usize, const C: usize>(
     system: &Q,
     at: &State<S, N>,
@@ -189,7 +191,7 @@ pub fn energy<Q: Energies<N, C>, S: Over<Q::Given> + Analytic, const N: usize, c
     dot(momentum, velocity) - system.lagrangian(time, place, velocity)
 }
 
-/// q'.(Q - dD/dq'): the rate of the energy where the constraints hold and L does not depend on time.
+/// The power q'.(Q - dD/dq'): the rate of the energy if the constraints hold and L does not depend on time.
 pub fn power<Q: Energies<N, C>, S: Over<Q::Given> + Analytic, const N: usize, const C: usize>(
     system: &Q,
     at: &State<S, N>,
@@ -200,18 +202,18 @@ pub fn power<Q: Energies<N, C>, S: Over<Q::Given> + Analytic, const N: usize, co
     dot(std::array::from_fn(|i| given[i] - lost[i]), velocity)
 }
 
-/// Fewer coordinates that keep the constraints.
+/// A system with minimal coordinates.
 pub trait Reducible<const N: usize, const C: usize, const K: usize>: Energies<N, C> {
-    /// q = a(s, t), which satisfies the constraints for every s.
+    /// The coordinates q = a(s, t), which satisfy the constraints for every s.
     fn place<S: Over<Self::Given> + Analytic>(&self, time: S, s: [S; K]) -> [S; N];
 }
 
-/// The system in those coordinates: no constraint is left.
+/// The system in its minimal coordinates, without constraints.
 #[derive(Clone, Copy, Debug)]
 pub struct Reduced<'a, Q, const N: usize, const C: usize>(pub &'a Q);
 
 impl<Q, const N: usize, const C: usize> Reduced<'_, Q, N, C> {
-    /// q and q' at t, s, s'.
+    /// The coordinates q and speeds q' at t, s, s'.
     pub fn motion<S: Over<Q::Given> + Analytic, const K: usize>(
         &self,
         time: S,

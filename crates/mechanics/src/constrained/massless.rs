@@ -1,12 +1,12 @@
-//! Multipliers where coordinates have no mass: M is singular, but the constraints leave such coordinates no motion of
-//! their own.
+//! Multipliers for a singular mass matrix: coordinates without mass, whose motion is determined by the constraints.
 //!
-//! M^-1 does not exist, but M is definite on J dx = 0. With J x'' = w the term J^T (J x'' - w) vanishes on every motion, so
+//! M^-1 does not exist, but M is positive definite on J dx = 0. With J x'' = w the term J^T (J x'' - w) vanishes on
+//! every motion. The equations
 //!
 //!   (M + J^T J) x'' = X + J^T kappa ,   J x'' = w ,   lambda = kappa - w
 //!
-//! has the solution of M x'' = X + J^T lambda, and its matrix is definite. Any positive factor of J^T J would do; it is one,
-//! in the units of the coordinates.
+//! have the solution of M x'' = X + J^T lambda, and a positive definite matrix. The factor of J^T J, which may be any
+//! positive number, is one in the units of the coordinates.
 
 use super::multipliers::Reaction;
 use super::rates::{jacobian, rates};
@@ -14,12 +14,12 @@ use super::{Constrained, State};
 use crate::definite::{NotDefinite, solve};
 use field::{Over, Scalar};
 
-/// M + J^T J.
+/// The matrix M + J^T J.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inertia<S, const N: usize>([[S; N]; N]);
 
 impl<S: Scalar, const N: usize> Inertia<S, N> {
-    /// The matrix M + J^T J from masses, which may vanish, and the rows J.
+    /// The matrix from masses, which may be zero, and the rows of J.
     pub fn of<const C: usize>(masses: [S; N], rows: &[[S; N]; C]) -> Self {
         Inertia(std::array::from_fn(|i| {
             std::array::from_fn(|j| {
@@ -29,19 +29,20 @@ impl<S: Scalar, const N: usize> Inertia<S, N> {
         }))
     }
 
-    /// The acceleration x'' due to a force alone, without the constraints' reactions: (M + J^T J)^-1 X.
+    /// The acceleration (M + J^T J)^-1 X due to a force X without the constraint reactions.
     ///
     /// # Errors
-    /// [`NotDefinite`] names the first coordinate with neither a mass nor a constraint of its own.
+    /// [`NotDefinite`] with the index of the first coordinate with neither mass nor constraint.
     pub fn moved(&self, force: [S; N]) -> Result<[S; N], NotDefinite> {
         solve(self.0, force)
     }
 }
 
-/// Like [`multipliers::leading_to`](super::multipliers::leading_to), for masses that may vanish.
+/// As [`multipliers::leading_to`](super::multipliers::leading_to), for masses that may be zero.
 ///
 /// # Errors
-/// [`NotDefinite`] names the first coordinate that nothing holds, or the first constraint that depends on those before it.
+/// [`NotDefinite`] with the index of the first undetermined coordinate, or of the first constraint that depends on
+/// those before it.
 pub fn leading_to<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: usize>(
     system: &Q,
     at: &State<S, N>,

@@ -1,26 +1,26 @@
-//! The motion of a charted system: velocities and accelerations of the coordinates x from those of the chart.
+//! Velocities and accelerations of the coordinates x from those of a chart.
 //!
-//! With x = a(q, t) and q' = b(q, p, t) every constraint of the chart holds, and x'' = drift + sum over j of p'_j X_j with
-//! the fields X_j = dx'/dp_j: the virtual displacements that the constraints leave, after Chetaev where they are not
-//! linear in the velocities.
+//! With x = a(q, t) and q' = b(q, p, t) the constraints of the chart hold, and x'' = drift + sum over j of p'_j X_j
+//! with the fields X_j = dx'/dp_j. The X_j span the virtual displacements, after Chetaev if the constraints are
+//! nonlinear in the velocities.
 
 use super::{Charted, State};
 use crate::differentiate::{along, fixed, unit};
 use field::{Analytic, Over, Scalar, Tangent};
 
-/// A charted system at (t, q, p).
+/// The kinematics of a system with a chart at (t, q, p).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion<S, const N: usize, const R: usize> {
-    /// t, x, x'
+    /// The time t, the coordinates x and the velocities x'.
     pub state: State<S, N>,
-    /// x'' with p' = 0
+    /// The acceleration x'' for p' = 0.
     pub drift: [S; N],
-    /// dx'/dp_j = dx''/dp'_j
+    /// The fields X_j = dx'/dp_j = dx''/dp'_j.
     pub fields: [[S; N]; R],
 }
 
 impl<S: Scalar, const N: usize, const R: usize> Motion<S, N, R> {
-    /// Evaluates the motion at (t, q, p), by three passes along the motion and one for each p.
+    /// Evaluates the kinematics at (t, q, p), by three evaluations along the motion and one for each p.
     pub fn at<Q, const K: usize>(system: &Q, time: S, q: [S; K], p: [S; R]) -> Self
     where
         Q: Charted<N, K, R>,
@@ -36,23 +36,23 @@ impl<S: Scalar, const N: usize, const R: usize> Motion<S, N, R> {
         }
     }
 
-    /// x'' at the rates p'.
+    /// The acceleration x'' for the rates p'.
     pub fn acceleration(&self, rates: [S; R]) -> [S; N] {
         std::array::from_fn(|i| (0..R).fold(self.drift[i], |sum, j| sum + rates[j] * self.fields[j][i]))
     }
 
-    /// The generalised forces of a force: its work along each field.
+    /// The generalised forces of a force: its products with the fields X_j.
     pub fn generalised(&self, force: [S; N]) -> [S; R] {
         self.fields.map(|field| (0..N).fold(S::zero(), |sum, i| sum + force[i] * field[i]))
     }
 
-    /// The same motion with constant numbers, for derivatives by something else.
+    /// The kinematics with constant dual numbers, for derivatives by other variables.
     pub fn fixed(self) -> Motion<Tangent<S>, N, R> {
         Motion { state: self.state.fixed(), drift: fixed(self.drift), fields: self.fields.map(fixed) }
     }
 }
 
-/// x' at (t, q, p), over any field.
+/// The velocities x' at (t, q, p), over any scalar type.
 pub fn velocity<Q, S, const N: usize, const K: usize, const R: usize>(
     system: &Q,
     time: S,

@@ -8,17 +8,18 @@ use field::Over;
 /// Accelerations and Lagrange multipliers under the constraints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reaction<S, const N: usize, const C: usize> {
-    /// x''
+    /// The accelerations x''.
     pub acceleration: [S; N],
-    /// lambda: the reaction of the k-th constraint is lambda_k (df_k/dx), or lambda_k (dphi_k/dx').
+    /// The multipliers lambda: the reaction of constraint k is lambda_k (df_k/dx), or lambda_k (dphi_k/dx') if it is
+    /// kinematic.
     pub multipliers: [S; C],
 }
 
-/// Accelerations and multipliers under a force: J M^-1 J^T lambda = -(rates at x'' = M^-1 X). The force is the given
-/// one, [`PointSystem::force`](super::PointSystem::force), with any other beside it, such as friction.
+/// Accelerations and multipliers under a force, from J M^-1 J^T lambda = -(rates at x'' = M^-1 X). The force is
+/// [`PointSystem::force`](super::PointSystem::force) plus any other force, such as friction.
 ///
 /// # Errors
-/// [`NotDefinite`] names the first constraint that depends on those before it.
+/// [`NotDefinite`] with the index of the first constraint that depends on those before it.
 pub fn multipliers<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: usize>(
     system: &Q,
     at: &State<S, N>,
@@ -27,11 +28,11 @@ pub fn multipliers<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, cons
     leading_to(system, at, force, [S::zero(); C])
 }
 
-/// Accelerations and multipliers with prescribed [`rates`](mod@super::rates) of the constraints instead of zero:
-/// J M^-1 J^T lambda = Y - (rates at x'' = M^-1 X).
+/// Accelerations and multipliers for prescribed [`rates`](mod@super::rates) Y of the constraints: J M^-1 J^T lambda = Y
+/// - (rates at x'' = M^-1 X).
 ///
 /// # Errors
-/// [`NotDefinite`] names the first constraint that depends on those before it.
+/// [`NotDefinite`] with the index of the first constraint that depends on those before it.
 pub fn leading_to<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: usize>(
     system: &Q,
     at: &State<S, N>,

@@ -1,7 +1,8 @@
 //! Newton's equations with reactions along given directions: m_i x''_i = X_i + sum over the reactions of r_k D_ki.
 //!
-//! Here a system gives the directions of its reactions, instead of gradients: a rod pulls along itself, a guide pushes
-//! across, a blade across its edge. The reactions are forces in newtons, and it is a result that they do no work.
+//! The system gives the directions of its reactions explicitly, not as gradients of constraints: a rod pulls along
+//! itself, a guide pushes perpendicularly, a blade across its edge. Reactions are forces in newtons; it is then a
+//! result, not an assumption, that they do no work.
 
 use super::rates::rates;
 use super::{Constrained, PointSystem, State};
@@ -11,11 +12,11 @@ use field::{Over, Scalar, Tangent};
 
 /// A system with C reactions.
 pub trait Reactions<const N: usize, const C: usize>: PointSystem<N> {
-    /// A unit of each reaction as a force in the coordinates x.
+    /// Each reaction of unit magnitude, as a force in the coordinates x.
     fn reactions<S: Over<Self::Given>>(&self, at: &State<S, N>) -> [[S; N]; C];
 }
 
-/// A force at a point r(x) of the system as a force in the coordinates x: sum over d of F_d dr_d/dx.
+/// The force in the coordinates x that is equivalent to a force at a point r(x): sum over d of F_d dr_d/dx.
 pub fn at_point<S: Scalar, const N: usize, const D: usize>(
     point: impl Fn([Tangent<S>; N]) -> [Tangent<S>; D],
     place: [S; N],
@@ -30,16 +31,16 @@ pub fn at_point<S: Scalar, const N: usize, const D: usize>(
 /// Accelerations and reactions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pushed<S, const N: usize, const C: usize> {
-    /// x''
+    /// The accelerations x''.
     pub acceleration: [S; N],
-    /// r
+    /// The reactions r, N.
     pub reactions: [S; C],
 }
 
-/// The reactions that keep the constraints under a force, and the accelerations with them.
+/// The reactions that satisfy the constraints under a force, and the accelerations.
 ///
 /// # Errors
-/// [`NotDefinite`] names the first constraint that its reaction cannot keep.
+/// [`NotDefinite`] with the index of the first constraint that its reaction cannot enforce.
 pub fn newton<Q, S, const N: usize, const C: usize>(
     system: &Q,
     at: &State<S, N>,

@@ -1,4 +1,4 @@
-//! The series of a recurrence in lanes, for ensembles.
+//! Taylor series of a law for a batch of ensemble members.
 
 use super::one_by_one::one_by_one;
 use super::parametric_system::BATCH_SIZE;
@@ -7,11 +7,12 @@ use field::Batch;
 use integrators::BatchSeries;
 use series::BatchExpansion;
 
-/// The number of quantities that still lie near the processor, and that of the largest law.
+/// The largest number of quantities that fit into the cache, and the largest number supported.
 pub(super) const FEW: usize = 256;
 pub(super) const MANY: usize = 1 << 16;
 
-/// The series of [`BATCH_SIZE`] systems of one law, to this order; `None` where there are more quantities than `MANY`.
+/// The Taylor series of [`BATCH_SIZE`] systems of one law, of the given order; `None` where the law has more than
+/// `MANY` quantities.
 pub fn batch_series(law: &Expandable, order: usize) -> Option<Box<dyn BatchSeries<BATCH_SIZE> + '_>> {
     if law.exponents.is_none() {
         if let Some(series) = law.recurrence.batch_expansion::<BATCH_SIZE, FEW>(order) {

@@ -1,8 +1,8 @@
-//! The fingerprint of an ensemble: the data that decide a member, and the program that computed it.
+//! The fingerprint of an ensemble: a hash of all data that determine its members, and the program that computed them.
 //!
-//! Rows of one table belong together only if one law, data, span, tolerance and seed decided them, and if one program
-//! rounded in one way: without fused multiplication the last digits differ. The number of members is left out, and so are
-//! listed values, which every row shows: an ensemble may grow.
+//! Rows of one table belong together only if law, data, span, tolerance and seed are equal, and if the rounding is
+//! equal: without fused multiply-add the last digits differ. The number of members and listed values are not part of
+//! the fingerprint, so that an ensemble can be extended.
 
 use super::EnsembleScene;
 use super::run::MOST_STEPS;
@@ -10,17 +10,17 @@ use siphasher::sip::SipHasher24;
 use std::fmt::{self, Display, Write};
 use std::hash::Hasher;
 
-/// `HASH:VERSION:PROCESSOR`, without a character that a table quotes.
+/// The fingerprint, in the format `HASH:VERSION:PROCESSOR`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fingerprint {
-    /// Hash of law, data, span, tolerance and seed.
+    /// The hash of law, data, span, tolerance and seed.
     of_members: String,
     /// The version of the program, and the rounding of the processor.
     maker: String,
 }
 
 impl Fingerprint {
-    /// The fingerprint of the rows which this program computes here.
+    /// The fingerprint of rows computed by this program on this machine.
     pub fn of(scene: &EnsembleScene) -> Self {
         let mut hash = Hashed(SipHasher24::new());
         let EnsembleScene { system, members: _, seed, varied } = scene;
@@ -40,7 +40,7 @@ impl Fingerprint {
         }
     }
 
-    /// Why a row with another fingerprint does not belong to this ensemble; `None` where it does.
+    /// The reason why a row with another fingerprint does not belong to this ensemble; `None` where it does.
     pub fn differs_from(&self, found: &str) -> Option<String> {
         if found == self.to_string() {
             return None;
@@ -67,7 +67,7 @@ impl Display for Fingerprint {
     }
 }
 
-/// Hashes a text as it is written.
+/// Hashes a text while it is written.
 struct Hashed(SipHasher24);
 
 impl Write for Hashed {

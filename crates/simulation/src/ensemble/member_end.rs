@@ -1,19 +1,19 @@
-//! The end of a member's law within a step of its lane, by its margins.
+//! The end of the validity of a member's law within a step, from its margins.
 //!
-//! The motion within a step is a polynomial. Intervals are halved while a distance may come to zero by the bound of its
-//! rate.
+//! The motion within a step is a polynomial. Intervals are halved while the bound of the rate of a distance allows a
+//! zero within.
 
 use crate::Margin;
 use crate::events::{Margins, outside};
 use integrators::{BatchStep, Pace};
 
-/// The change of a distance over an interval below which the interval is not halved.
+/// If the change of a distance over an interval is at most this, the interval is not halved.
 const LITTLE: f64 = 2e-4;
 
-/// The part of a step, over which rates are taken.
+/// The time difference for difference quotients, as a fraction of the step.
 const APART: f64 = 1e-6;
 
-/// A step with the margins of the law.
+/// A step, with the margins of the law.
 pub(super) struct LaneEnd<'a> {
     margins: &'a Margins,
     step: &'a BatchStep<'a>,
@@ -26,7 +26,7 @@ impl<'a> LaneEnd<'a> {
         LaneEnd { margins, step, state: vec![0.0; states], rates: vec![0.0; states] }
     }
 
-    /// The margins at a time of the step, other than its begin.
+    /// The margins at a time within the step, except its beginning.
     pub fn look(&mut self, time: f64) -> Vec<Margin> {
         let apart = APART * (self.step.begin - self.step.end);
         (self.step.state_at)(time, &mut self.state);
@@ -35,7 +35,7 @@ impl<'a> LaneEnd<'a> {
         (self.margins)(time, &self.state, &self.rates)
     }
 
-    /// The last time at which the law holds, where it does not to the end of an interval, and the reason.
+    /// The last time at which the law is valid, and the reason; `None` where it is valid in the whole interval.
     pub fn first(&mut self, [begin, end]: [(f64, &Vec<Margin>); 2]) -> Option<(f64, &'static str)> {
         let ends = begin.1.iter().zip(end.1);
         if ends.into_iter().any(|(before, after)| is_open(before, after, end.0 - begin.0)) {
@@ -49,7 +49,7 @@ impl<'a> LaneEnd<'a> {
     }
 }
 
-/// Whether a distance may come to zero over an interval by the bound of its rate.
+/// Whether the bound of its rate allows a distance to vanish within an interval.
 fn is_open(before: &Margin, after: &Margin, length: f64) -> bool {
     let distance = |margin: &Margin| margin.value.max(0.0).sqrt();
     Pace::change([before.pace, after.pace], length) > LITTLE.max(distance(before) + distance(after))

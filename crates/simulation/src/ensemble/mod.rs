@@ -1,12 +1,12 @@
-//! Ensembles: one scene many times, with data and starts that differ, run side by side.
+//! Ensembles: many runs of one scene with varied data and starts, computed in batches.
 //!
 //! # Overview
 //! * [`EnsembleScene`]: a scene with a table `[ensemble]`, which lists the data that vary;
-//! * [`parametric_system`]: the interface of a scene to an ensemble: names of the numbers that may vary, a law with a symbol for each,
-//!   members;
-//! * [`vary`], [`draw`]: the distributions, and random numbers that depend on seed, member and datum alone;
-//! * [`run`]: all members in lanes and threads; [`batch_series()`]: the series of a recurrence in lanes;
-//! * [`fingerprint`]: the data that decide a member, by which rows of different ensembles are distinguished.
+//! * [`parametric_system`]: the interface of a scene to an ensemble: the names of the numbers that may vary, a law with
+//!   a symbol for each of them, and the members;
+//! * [`vary`], [`draw`]: distributions, and random numbers that depend only on seed, member and datum;
+//! * [`run`]: the run of all members in batches and threads; [`batch_series()`]: Taylor series for a batch;
+//! * [`fingerprint`]: identifies the data of an ensemble, so that rows of different ensembles are not mixed.
 
 pub mod batch_series;
 pub mod draw;
@@ -31,7 +31,7 @@ use std::fmt;
 use std::sync::Arc;
 use vary::{Variation, Varied};
 
-/// A scene with many members, which are run.
+/// A scene with its ensemble of members.
 #[derive(Clone, Debug)]
 pub struct EnsembleScene {
     pub system: Arc<dyn ParametricSystem>,
@@ -40,7 +40,7 @@ pub struct EnsembleScene {
     varied: Vec<Varied>,
 }
 
-/// The law of a system has more quantities than members side by side have room for.
+/// The error for a law that has more quantities than a batch supports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooLong;
 
@@ -54,30 +54,30 @@ impl EnsembleScene {
     /// An ensemble of members of a system.
     ///
     /// # Errors
-    /// [`TooLong`].
+    /// [`TooLong`] where the law is too long for a batch.
     pub fn new(system: Arc<dyn ParametricSystem>, variation: Variation) -> Result<Self, TooLong> {
         let Variation { members, seed, varied } = variation;
-        // the number of quantities does not depend on the order
+        // the number of quantities does not depend on the order of the series
         if system.alone().is_none() {
             system.series(integrators::batch_order(1.0)).ok_or(TooLong)?;
         }
         Ok(EnsembleScene { system, members, seed, varied })
     }
 
-    /// A member.
+    /// The member with a number, counted from one.
     ///
     /// # Errors
-    /// Why there is no such member.
+    /// [`Stopped`] with the reason why the member does not exist.
     pub fn member(&self, number: u64) -> Result<Member<'_>, Stopped> {
         self.system.member(&self.numbers(number)?)
     }
 
-    /// The failures of a member, as its single run shows them; `goes_on` breaks that off.
+    /// The failures that a single run of a member reports; `goes_on` may stop the search.
     pub fn failures(&self, number: u64, goes_on: &dyn Fn() -> bool) -> Vec<RunFailure> {
         self.numbers(number).map_or_else(|_| Vec::new(), |drawn| self.system.failures(&drawn, goes_on))
     }
 
-    /// The numbers of a member, all finite.
+    /// The drawn numbers of a member, all finite.
     fn numbers(&self, number: u64) -> Result<Vec<Drawn>, Stopped> {
         let drawn: Vec<Drawn> = self.varied.iter().map(|varied| varied.drawn(self.seed, number)).collect();
         for (varied, Drawn { numbers, .. }) in self.varied.iter().zip(&drawn) {
@@ -88,7 +88,7 @@ impl EnsembleScene {
         Ok(drawn)
     }
 
-    /// The numbers of a member that vary, in the order of the columns.
+    /// The drawn numbers of a member, in the order of the columns.
     pub fn drawn(&self, number: u64) -> Vec<f64> {
         self.varied.iter().flat_map(|varied| varied.drawn(self.seed, number).numbers).collect()
     }

@@ -1,5 +1,5 @@
-//! Series of the systems in lanes, one after the other: for laws with exponentials, whose arguments bound each step, and
-//! on processors without registers for several numbers.
+//! Taylor series of a batch, computed member by member: for laws with exponentials, whose arguments bound each step,
+//! and for processors without SIMD registers.
 
 use super::batch_series::{FEW, MANY};
 use super::parametric_system::BATCH_SIZE;
@@ -9,10 +9,10 @@ use integrators::BatchSeries;
 use series::Expansion;
 use std::cell::Cell;
 
-/// The number of quantities side by side in each system.
+/// The number of quantities computed together in one system.
 const WIDTH: usize = 8;
 
-/// As [`batch_series`](super::batch_series()).
+/// As [`batch_series`](super::batch_series()), member by member.
 pub(super) fn one_by_one(law: &Expandable, order: usize) -> Option<Box<dyn BatchSeries<BATCH_SIZE> + '_>> {
     match law.recurrence.columns::<WIDTH>() {
         columns if columns <= FEW => Some(Box::new(OneByOne::<FEW>::new(law, order)?)),
@@ -24,17 +24,17 @@ pub(super) fn one_by_one(law: &Expandable, order: usize) -> Option<Box<dyn Batch
 struct OneByOne<'a, const N: usize> {
     law: &'a Expandable,
     lanes: Vec<Lane<N>>,
-    /// The coefficients of the last order, and of the one before it.
+    /// The coefficients of the highest order, and of the one below.
     last: [Vec<Batch<BATCH_SIZE>>; 2],
-    /// Room for the sum of one lane.
+    /// Buffer for the sum of one member.
     sums: Cell<Vec<f64>>,
 }
 
-/// The system in one lane.
+/// The system of one lane.
 struct Lane<const N: usize> {
     expansion: Expansion<f64, WIDTH, N>,
     parameters: Vec<f64>,
-    /// The state, with room for the series of exponents behind it.
+    /// The state, followed by buffers for the exponents.
     extended: Vec<f64>,
     exponents: Room,
 }

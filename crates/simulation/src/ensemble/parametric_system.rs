@@ -1,4 +1,4 @@
-//! Systems of one form that differ in numbers alone: the interface that an ensemble uses.
+//! The interface of a system to an ensemble: systems of one form that differ only in numbers.
 
 use super::run::Last;
 use super::stop_reason::Stopped;
@@ -8,10 +8,10 @@ use integrators::{BatchSeries, Projection};
 use std::borrow::Cow;
 use std::fmt;
 
-/// The number of members in a batch: their numbers fill one vector register.
+/// The number of members in a batch: their numbers fill one SIMD register.
 pub const BATCH_SIZE: usize = 8;
 
-/// A scene with the law written down once, a symbol for every number that may vary.
+/// A scene whose law has a symbol for every number that may vary.
 pub trait ParametricSystem: fmt::Debug + Send + Sync {
     /// The title in one line.
     fn title(&self) -> &str;
@@ -19,32 +19,33 @@ pub trait ParametricSystem: fmt::Debug + Send + Sync {
     /// Span and tolerance; the method is Taylor's.
     fn run(&self) -> &Run;
 
-    /// The numbers of states of a member and of parameters of its law.
+    /// The numbers of states of a member, and of parameters of its law.
     fn sizes(&self) -> Sizes;
 
-    /// The series of a batch of members, to this order; `None` where the law is too long for a batch.
+    /// The Taylor series of a batch of members, of the given order; `None` where the law is too long for a batch.
     fn series(&self, order: usize) -> Option<Box<dyn BatchSeries<BATCH_SIZE> + '_>>;
 
-    /// The way in which members run, where they do not run in a batch.
+    /// The alternative to batches for systems whose members must run one by one.
     fn alone(&self) -> Option<&dyn IndividualMembers> {
         None
     }
 
-    /// The member with these numbers in the place of the scene's own.
+    /// The member with these drawn numbers instead of the scene's own.
     ///
     /// # Errors
-    /// Why there is no such member.
+    /// [`Stopped`] with the reason why the member does not exist.
     fn member(&self, drawn: &[Drawn]) -> Result<Member<'_>, Stopped>;
 
-    /// The failures of the member with these numbers, as its single run shows them; `goes_on` breaks that off.
+    /// The failures that a single run of the member reports; `_goes_on` may stop the search.
     fn failures(&self, _drawn: &[Drawn], _goes_on: &dyn Fn() -> bool) -> Vec<RunFailure> {
         Vec::new()
     }
 
-    /// The columns in which a row shows the end of a member: first its state, then quantities computed from it.
+    /// The columns of a result row: first the state at the end, then quantities computed from it.
     fn columns(&self) -> Vec<Column>;
 
-    /// Writes all that decides a member beside the drawn numbers, the span and the tolerance: law, data, start.
+    /// Writes everything that determines a member besides the drawn numbers, the span and the tolerance: law, data,
+    /// start.
     ///
     /// # Errors
     /// Those of the writer.
@@ -54,65 +55,65 @@ pub trait ParametricSystem: fmt::Debug + Send + Sync {
     fn name(&self) -> &str;
 }
 
-/// Members that run one by one: their laws change at events, at times of their own.
+/// Members that run one by one, since their laws change at events at individual times.
 pub trait IndividualMembers: Sync {
-    /// Runs the member with these numbers, while it may go on.
+    /// Runs the member with these drawn numbers; stops when `goes_on` returns false.
     ///
     /// # Errors
-    /// Why there is no such member.
+    /// [`Stopped`] with the reason why the member does not exist.
     fn run_alone(&self, drawn: &[Drawn], goes_on: &dyn Fn() -> bool) -> Result<Ended, Stopped>;
 }
 
-/// A member after its run.
+/// The result of a member's run.
 pub struct Ended {
     pub last: Last,
     pub steps: u64,
-    /// Why it stopped before its end.
+    /// The reason if the run stopped before its end.
     pub stopped: Option<Stopped>,
 }
 
-/// The length of a member's state, and of the parameters of its law.
+/// The number of states of a member, and of parameters of its law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sizes {
     pub states: usize,
     pub parameters: usize,
 }
 
-/// A column of a row, with the unit of its numbers.
+/// A column of the result rows, with its unit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Column {
     pub name: String,
     pub unit: String,
 }
 
-/// The end of a member at a time and a state.
+/// Computes the result columns of a member from a time and a state.
 pub type EndOf<'a> = dyn Fn(f64, &[f64]) -> Last + Send + 'a;
 
 /// A member before its run.
 pub struct Member<'a> {
     pub parameters: Vec<f64>,
-    /// The state at time zero, as the law has it.
+    /// The state at time zero, in the form of the law.
     pub state: Vec<f64>,
-    /// The end of its run as a row shows it, from the last good time and state.
+    /// Computes the result columns from the last valid time and state.
     pub end: Box<EndOf<'a>>,
-    /// The distance of a state from where the law ends; none for a law that holds everywhere.
+    /// The margins of the law; `None` for a law that is valid everywhere.
     pub margins: Option<Box<Margins>>,
-    /// The projection onto the constraints and integrals of its motion, where each step is to end on them.
+    /// The projection onto constraints and integrals, if each step must satisfy them.
     pub projection: Option<Box<dyn Projection<f64> + Send + 'a>>,
 }
 
-/// The numbers of a variable for one member, in SI units.
+/// The drawn values of a variable for one member, in SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
-    /// The place of the variable in the list of all.
+    /// The index of the variable.
     pub variable: usize,
     pub numbers: Vec<f64>,
 }
 
-/// Numbers of a scene that may vary: a key of one of its tables.
+/// A quantity of a scene that may vary: a key of one of its tables.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variable {
-    /// The name of the table; empty at the top of the file.
+    /// The name of the table; empty for keys at the top of the file.
     pub table: &'static str,
     pub key: Cow<'static, str>,
     pub meaning: Cow<'static, str>,
@@ -120,14 +121,14 @@ pub struct Variable {
     pub shape: Shape,
 }
 
-/// The number of components of a variable, and their structure.
+/// The structure of a variable's components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
-    /// Independent numbers, this many.
+    /// The given number of independent components.
     Numbers(usize),
-    /// Three components of a unit vector; drawn numbers are normalised.
+    /// The three components of a unit vector; drawn vectors are normalised.
     Direction,
-    /// 11, 12, 13, 22, 23, 33.
+    /// The components 11, 12, 13, 22, 23, 33 of a symmetric tensor.
     SymmetricTensor,
 }
 
@@ -143,7 +144,7 @@ impl Shape {
 }
 
 impl Variable {
-    /// The name in a table of results.
+    /// The column name in a table of results.
     pub fn name(&self) -> String {
         if self.table.is_empty() { self.key.to_string() } else { format!("{}.{}", self.table, self.key) }
     }

@@ -1,4 +1,4 @@
-//! An ensemble run: lanes in every thread, results in the order of the members.
+//! The run of an ensemble: batches in several threads, results in the order of the members.
 
 use super::member_end::LaneEnd;
 use super::parametric_system::{BATCH_SIZE, Column, Ended, IndividualMembers, Member};
@@ -10,37 +10,37 @@ use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc;
 
-/// A member that takes longer is given up: a million steps are more than a million oscillations.
+/// The largest number of steps of a member.
 pub(super) const MOST_STEPS: u64 = 1_000_000;
 
-/// The result of a member.
+/// The result row of a member.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Counted from one.
+    /// The number of the member, counted from one.
     pub number: u64,
-    /// The numbers drawn for the member, in SI units.
+    /// The drawn numbers of the member, in SI units.
     pub drawn: Vec<f64>,
-    /// Why it stopped before the end, where it did: a [`Stopped`] as text.
+    /// The reason why the member stopped early, if it did: a [`Stopped`] as text.
     pub stopped: Option<String>,
     pub steps: u64,
-    /// `None` where there is no such member.
+    /// The last valid state; `None` where the member does not exist.
     pub last: Option<Last>,
 }
 
-/// The last good state of a member, by the columns of its system.
+/// The last valid state of a member, in the columns of its system.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Last {
     pub time: f64,
     pub state: Vec<f64>,
-    /// Functions of the state, and the change of each invariant; `None` where a member has no such number.
+    /// Functions of the state, and the change of each invariant; `None` where undefined for a member.
     pub derived: Vec<Option<f64>>,
 }
 
 impl EnsembleScene {
-    /// Runs these members and passes on the rows in their order, not in that of completion. Each row is the same in every run,
-    /// with any number of threads.
+    /// Runs the given members and passes the rows to `take` in their order, not in that of completion. The rows do not
+    /// depend on the number of threads.
     ///
-    /// `take` may end the run; then members that are under way are lost.
+    /// `take` may stop the run; unfinished members are then lost.
     pub fn run(&self, members: RangeInclusive<u64>, threads: usize, mut take: impl FnMut(Row) -> ControlFlow<()>) {
         let (next, stop) = (AtomicU64::new(*members.start()), AtomicBool::new(false));
         std::thread::scope(|scope| {
@@ -70,7 +70,7 @@ impl EnsembleScene {
         });
     }
 
-    /// The columns of a row with their units, in their order; counts, reasons and the fingerprint have none.
+    /// The column titles of a row, with units.
     pub fn headings(&self) -> Vec<String> {
         let drawn =
             self.varied.iter().flat_map(|varied| varied.columns().into_iter().map(|name| (name, varied.unit())));
@@ -82,7 +82,7 @@ impl EnsembleScene {
         headings
     }
 
-    /// The names of a row's numbers, in their order.
+    /// The column names of a row.
     pub fn columns(&self) -> Vec<String> {
         let mut columns = vec!["member".to_owned()];
         columns.extend(self.varied.iter().flat_map(super::vary::Varied::columns));
@@ -108,7 +108,7 @@ struct Aboard<'a> {
     number: u64,
     member: Member<'a>,
     margins: Vec<Margin>,
-    /// Why its law does not hold any more, if the member reached the end of its law.
+    /// The reason why the member reached the end of the validity of its law.
     left: Option<&'static str>,
 }
 
@@ -118,7 +118,7 @@ impl Worker<'_> {
         if let Some(alone) = system.alone() {
             return self.work_alone(alone);
         }
-        // a scene without a series was refused when it was made
+        // a scene without a series was rejected earlier
         let Some(series) = system.series(integrators::batch_order(run.tolerance)) else { return };
         let sizes = system.sizes();
         Ensemble::new(series, run.tolerance, run.span, sizes.states, sizes.parameters)
@@ -126,7 +126,7 @@ impl Worker<'_> {
             .run(&mut self);
     }
 
-    /// Runs one member after the other.
+    /// Runs members one by one.
     fn work_alone(&self, alone: &dyn IndividualMembers) {
         let goes_on = || !self.stop.load(Ordering::Relaxed);
         loop {
@@ -149,7 +149,7 @@ impl Worker<'_> {
         }
     }
 
-    /// Sends a row; the receiver lives as long as the run.
+    /// Sends a row. The receiver exists as long as the run.
     fn hand_on(&self, row: Row) {
         let _ = self.rows.send(row);
     }

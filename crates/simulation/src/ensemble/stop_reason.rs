@@ -1,30 +1,30 @@
-//! The reason why a member stopped: its kind, by which members are counted, and the reason with its own numbers.
+//! The reason why a member stopped: its kind, by which members are counted, and a text with details.
 
 use integrators::Failure;
 use std::fmt;
 
-/// Why there is no such member, or why it stopped.
+/// The reason why a member does not exist, or why it stopped early.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stopped {
     /// A drawn value is not finite.
     NotFinite { datum: String },
-    /// Parts of a model that cannot exist, in words.
+    /// The data describe bodies that cannot exist; the text gives the reason.
     Impossible(String),
-    /// A start that cannot be completed so that the constraints hold, in words.
+    /// The start cannot be completed such that the constraints hold; the text gives the reason.
     Start(String),
-    /// Data of the machine that are beyond their bounds, in words.
+    /// Data of the machine are outside their bounds; the text gives the reason.
     Machine(String),
-    /// The law does not hold any more.
+    /// The law is no longer valid, for the given reason.
     Left(&'static str),
     /// The run failed.
     Run(Failure),
 }
 
-/// The text between the kind and the reason; no kind contains it.
+/// The separator between kind and details; no kind contains it.
 const BETWEEN: &str = ": ";
 
 impl Stopped {
-    /// The name of the kind, the same for all members of it.
+    /// The name of the kind, equal for all members of that kind.
     pub fn kind(&self) -> &'static str {
         match self {
             Self::NotFinite { .. } => "a datum is not finite",
@@ -36,7 +36,7 @@ impl Stopped {
         }
     }
 
-    /// The kind in a text that [`Stopped`] was written as.
+    /// The kind in a text written by [`Stopped`].
     pub fn kind_in(text: &str) -> &str {
         text.split_once(BETWEEN).map_or(text, |(kind, _)| kind)
     }

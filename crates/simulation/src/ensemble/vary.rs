@@ -1,4 +1,4 @@
-//! The distributions of numbers that differ from member to member: the table `[ensemble]` of a scene.
+//! Distributions of the numbers that vary between members: the table `[ensemble]` of a scene.
 
 use super::draw::Draw;
 use super::parametric_system::{Drawn, Shape, Variable};
@@ -9,19 +9,19 @@ use std::ops::Range;
 /// The largest number of members.
 const MOST: usize = 100_000_000;
 
-/// A variable that varies, with its distribution.
+/// A variable with its distribution.
 #[derive(Clone, Debug)]
 pub struct Varied {
     /// The name in the file, with its table.
     pub name: String,
-    /// The place in the list of all variables.
+    /// The index among all variables.
     variable: usize,
     unit: Cow<'static, str>,
     shape: Shape,
     law: Law,
 }
 
-/// The distribution of a datum, component by component.
+/// The distribution of a datum, by component.
 #[derive(Clone, Debug, PartialEq)]
 enum Law {
     Even {
@@ -32,14 +32,14 @@ enum Law {
         mean: Vec<f64>,
         deviation: Vec<f64>,
     },
-    /// Listed values, for each member its own.
+    /// Listed values, one for each member.
     Listed {
         all: Vec<f64>,
         components: usize,
     },
 }
 
-/// The head of the table, and the data that vary.
+/// The content of the table `[ensemble]`: number of members, seed, and distributions.
 #[derive(Clone, Debug)]
 pub struct Variation {
     pub members: u64,
@@ -47,8 +47,8 @@ pub struct Variation {
     pub varied: Vec<Varied>,
 }
 
-/// Reads the table `[ensemble]` of a scene with these variables; `None` where they are not known, since the scene has faults.
-/// An example shows the accepted form.
+/// Reads the table `[ensemble]` of a scene. `variables` is `None` where the scene is faulty and its variables are
+/// unknown. `example` shows the accepted form in messages. Faults are added to `issues`.
 pub fn read(
     top: &mut Table<'_>,
     issues: &mut Vec<Issue>,
@@ -153,7 +153,7 @@ fn ordered(law: &mut Table<'_>, from: At<Vec<f64>>, to: At<Vec<f64>>) -> Option<
 }
 
 impl Varied {
-    /// The names of its components.
+    /// The names of the components.
     pub fn columns(&self) -> Vec<String> {
         let tensor = ["11", "12", "13", "22", "23", "33"];
         match self.shape {
@@ -168,8 +168,8 @@ impl Varied {
         &self.unit
     }
 
-    /// The name and the distribution as a text; listed values appear by their number for each member alone, since an ensemble
-    /// may grow.
+    /// The name and the distribution as text, for the fingerprint. Listed values are omitted, since an ensemble may be
+    /// extended.
     pub fn distribution(&self) -> String {
         match &self.law {
             Law::Listed { components, .. } => format!("{} listed {components}", self.name),
@@ -177,7 +177,7 @@ impl Varied {
         }
     }
 
-    /// The numbers of a member; members are counted from one.
+    /// The drawn values of a member; members are counted from one.
     pub fn drawn(&self, seed: u64, member: u64) -> Drawn {
         let draw = Draw::new(seed, member, &self.name);
         let mut drawn: Vec<f64> = match &self.law {

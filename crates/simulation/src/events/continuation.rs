@@ -1,59 +1,60 @@
 //! The continuation of a motion beyond a singular position, on its smooth branch.
 //!
-//! At a singular position the constraints are linearly dependent: there the equations do not determine the accelerations, and several
-//! motions may follow. At most one of them has coordinates that are analytic functions of the time throughout, and its Taylor series at a
-//! regular state before the position gives the states behind. The series is summed from two states before to one behind. Rounding errors grow
-//! where the states are close to the position, the remainder of the series where they are far from it, so pairs of several distances are
-//! tried, and the one whose sums agree best is taken. The derivative of the series
-//! must be the rate of the law at the state behind: a series that converges to no motion of the law is no continuation.
+//! At a singular position the constraints are linearly dependent: the equations do not determine the accelerations, and
+//! several motions may follow. At most one of them has coordinates that are analytic functions of time, and its Taylor
+//! series at a regular state before the position gives the states beyond. The series is summed from two states before
+//! to one state beyond. Rounding errors grow for states close to the position, the truncation error for states far from
+//! it. Therefore pairs at several distances are tried, and the pair whose sums agree best is taken. The derivative of
+//! the series must equal the rate of the law at the state beyond: a series that converges to no motion of the law is
+//! rejected.
 //!
-//! A run may begin beside a singular position. Where it leaves the position, series lead away from it. Where it comes to the position,
-//! series backwards in time give states before the start, from which the motion is continued.
+//! A run may begin near a singular position. If it moves away from it, Taylor series lead away too. If it moves towards
+//! it, series backwards in time give states before the start, from which the motion is continued.
 
 use super::law_end::SwitchesAndEnds;
 use super::trail::{FIRST, Instant, ORDER, Trail, away};
 use integrators::{Observer, Ode, System, TaylorSeries, Tolerance};
 
-/// The distance of the state behind, by that of the nearer state before. A rounding error e of the constraints makes the motion pass the
-/// position beside the branch, by the order of e/t at the distance t: from a base at the distance b the terms of e/t grow with the power
-/// k as ((t + b)/b)^k, so that t is to be small beside b.
+/// The distance of the state beyond the position, as a fraction of the distance b of the nearer state before. A
+/// rounding error e of the constraints makes the motion deviate from the branch by the order of e/t at the distance t,
+/// and the terms of e/t grow as ((t + b)/b)^k with the order k; t must be small compared with b.
 const PARTS: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
 
-/// Both sums differ by no more than so many tolerances, or by this part of the largest component.
+/// Both sums may differ by at most so many tolerances, or by the fraction `ROUNDING` of the largest component.
 const AGREED: f64 = 10.0;
 const ROUNDING: f64 = 1e-9;
 
-/// Among sums that agree to this part the nearest are taken: fewer events may fall into the way.
+/// Among sums that agree to this fraction the nearest state is taken: fewer events can occur on the way.
 const SURE: f64 = 1e-13;
 
-/// Bisections by which the ends of the position's neighbourhood are found, and looks at the signals behind it.
+/// The number of bisections for the ends of the position's neighbourhood.
 const BISECTIONS: usize = 40;
 const LOOKS: u32 = 16;
 
-/// Parts in which a position is sought on a series where it does not lie at the event.
+/// The number of intervals in the search for a position that does not coincide with the event.
 const SCANNED: u32 = 4096;
 
-/// The derivative of the series differs from the rates of the law by no more than this part of the largest rate.
+/// The derivative of the series may differ from the rates of the law by at most this fraction of the largest rate.
 const OF_RATES: f64 = 1e-5;
 
-/// The states on either side of a position from which quantities beside it are interpolated.
+/// The number of states on each side of the position for interpolation near it.
 const NODES: u32 = 4;
 
-/// The motion over a neighbourhood of a singular position, to a state behind.
+/// The motion across the neighbourhood of a singular position, up to a state beyond it.
 pub(super) struct Continuation<'a> {
-    /// The position; none where the motion leaves it.
+    /// The singular position; `None` where the motion only moves away from it.
     position: Option<Position>,
-    /// The state behind.
+    /// The time of the state beyond, s.
     pub time: f64,
     state: Vec<f64>,
     series: Box<dyn TaylorSeries<f64> + 'a>,
     expanded_at: f64,
 }
 
-/// A singular position that is passed.
+/// A singular position that the motion passes.
 #[derive(Clone, Copy, Debug)]
 struct Position {
-    /// The times between which the margins do not hold; the position lies in the middle.
+    /// The times (s) between which the margins are not positive; the position lies in the middle.
     around: [f64; 2],
     /// The largest difference of both sums, relative to the largest component.
     error: f64,
@@ -66,8 +67,8 @@ impl Position {
 }
 
 impl<'a> Continuation<'a> {
-    /// The continuation of a motion that came to a singular position with an event. None where no pair of sums
-    /// agrees, or where a switch falls, or another margin, before the state behind.
+    /// The continuation of a motion that reached a singular position with an event. `None` where no pair of sums
+    /// agrees, or where a switch or another margin falls before the state beyond.
     pub fn of(
         (law, tolerance): (&'a dyn System, &Tolerance),
         trail: &Trail,
@@ -89,7 +90,7 @@ impl<'a> Continuation<'a> {
                         sum
                     })
                 };
-                // rounding in the first state of a chain is in all others
+                // all states of a chain share the rounding error of its first state
                 let is_behind = |other: &&Instant| (event - other.0).abs() <= (event - far.0).abs();
                 let other = chains.get(number + 1).and_then(|other| other.iter().find(is_behind)).map(&mut sums);
                 let agrees = |place: usize, state: &[f64]| {
@@ -110,7 +111,7 @@ impl<'a> Continuation<'a> {
         }
         let distance = |candidate: &Candidate| (candidate.behind.0 - event).abs();
         let nearest = candidates.iter().map(distance).fold(f64::INFINITY, f64::min);
-        // an error is that of a direction, by the distance from the position
+        // the error of a direction is the error divided by the distance from the position
         let doubt = |candidate: &Candidate| (candidate.error * nearest / distance(candidate)).max(SURE);
         candidates
             .sort_by(|one, other| doubt(one).total_cmp(&doubt(other)).then(distance(one).total_cmp(&distance(other))));
@@ -131,7 +132,7 @@ impl<'a> Continuation<'a> {
         })
     }
 
-    /// The motion from a start beside a singular position that it leaves, to where the margins hold.
+    /// The motion away from a singular position near its start, up to a state with positive margins.
     pub fn leaving(
         (law, tolerance): (&'a dyn System, &Tolerance),
         start: &Instant,
@@ -145,12 +146,12 @@ impl<'a> Continuation<'a> {
         difference(tolerance, &start.1, &found.at(start.0)).map(|_| found)
     }
 
-    /// Whether another continuation leads to the same state, by the tolerance.
+    /// Whether another continuation leads to the same state, within the tolerance.
     pub fn agrees(&self, other: &Self, tolerance: &Tolerance) -> bool {
         difference(tolerance, &self.state, &other.at(self.time)).is_some()
     }
 
-    /// The state at a time before the one behind.
+    /// The state at a time up to that of the state beyond.
     pub fn at(&self, time: f64) -> Vec<f64> {
         if time == self.time {
             return self.state.clone();
@@ -160,7 +161,7 @@ impl<'a> Continuation<'a> {
         state
     }
 
-    /// Shows an observer the samples from an event to a time at most that of the state behind, and the state then; returns their number.
+    /// Reports to the observer the samples from an event to `end`, and the state there. Returns the number of samples.
     pub fn show(
         &self,
         outputs: &[f64],
@@ -181,7 +182,7 @@ impl<'a> Continuation<'a> {
             }
             shown += 1;
         }
-        // steps may collapse a rounding behind the position
+        // the step size may collapse just beyond the position
         if let Some(position) = self.position.filter(|position| (end - position.time()) * direction >= 0.0) {
             let state = self.at(position.time());
             observer.singular_position(position.time(), &state[..states], position.error, &nodes);
@@ -190,7 +191,7 @@ impl<'a> Continuation<'a> {
         shown
     }
 
-    /// States on either side of the position, where the margins hold.
+    /// States on both sides of the position where the margins are positive.
     fn nodes(&self, Position { around: [from, to], .. }: Position, states: usize) -> Vec<Instant> {
         let steps = (1..=NODES).map(|node| f64::from(node) / f64::from(NODES));
         let before = steps.clone().map(|step| from + step * (self.expanded_at - from));
@@ -200,7 +201,7 @@ impl<'a> Continuation<'a> {
     }
 }
 
-/// A state behind a singular position, by the series of a state before.
+/// A state beyond a singular position, by the Taylor series of a state before.
 struct Candidate {
     base: Instant,
     behind: Instant,
@@ -208,8 +209,8 @@ struct Candidate {
     error: f64,
 }
 
-/// The times around an event, between a base and a time behind, from and to which the margins hold; none where they do not hold up to there
-/// again, or a switch falls.
+/// The times around an event at which the margins cease and begin to be positive, between the expansion point `base`
+/// and `time`. `None` where they are not positive again by then, or a switch falls.
 fn around(
     (base, event, time): (f64, f64, f64),
     at: &dyn Fn(f64) -> Vec<f64>,
@@ -225,7 +226,7 @@ fn around(
         }
         outside
     };
-    // a method that comes beside the position may find its event behind
+    // a method that deviates from the position may locate its event beyond it
     let scan = (1..SCANNED).map(|part| base + (time - base) * f64::from(part) / f64::from(SCANNED));
     let inside = [event].into_iter().chain(scan).find(|time| !is_up(*time))?;
     let to = end(time, inside, &is_up);
@@ -234,7 +235,7 @@ fn around(
     (rest_is_up && !is_up(f64::midpoint(from, to))).then_some([from, to])
 }
 
-/// The largest difference of two states relative to the largest component; none where it is more than the tolerance allows.
+/// The largest difference of two states, relative to the largest component; `None` where it exceeds the tolerance.
 fn difference(tolerance: &Tolerance, one: &[f64], other: &[f64]) -> Option<f64> {
     let largest = one.iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));
     let differences = || one.iter().zip(other).map(|(one, other)| (one - other).abs());
@@ -244,7 +245,7 @@ fn difference(tolerance: &Tolerance, one: &[f64], other: &[f64]) -> Option<f64> 
     agree.then(|| differences().fold(0.0, f64::max) / largest.max(f64::MIN_POSITIVE))
 }
 
-/// Whether the derivative of a series, at a time so far from where it was expanded, is the rate of the law.
+/// Whether the derivative of a series, at the time `apart` after its expansion point, equals the rate of the law.
 fn is_motion(law: &dyn System, series: &dyn TaylorSeries<f64>, (time, apart): (f64, f64), state: &[f64]) -> bool {
     let mut rates = vec![f64::NAN; state.len()];
     Ode::<f64>::rates(law, time, state, &mut rates);

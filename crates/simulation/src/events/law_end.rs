@@ -1,7 +1,7 @@
-//! The end of a law: the first of its margins falls to zero, located as an event.
+//! The end of the validity of a law: the event at which the first of its margins falls to zero.
 //!
-//! A margin is positive where the law holds. Its zero is found by the bounds of the margin over each step: it does not depend
-//! on where a method puts its steps, and the run goes on up to it.
+//! A margin is positive where the law is valid. Its zero is located from bounds of the margin over each step,
+//! independent of the steps of the method, and the run ends there.
 
 use super::poles::{PoleWatch, up_to};
 use integrators::{
@@ -10,22 +10,23 @@ use integrators::{
 };
 use std::cell::RefCell;
 
-/// The distance of a state from the end of its law.
+/// A function of the state that is positive where the law is valid.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Margin {
     /// Positive where the law holds.
     pub value: f64,
     /// The derivative of the margin along the motion, 1/s.
     pub rate: f64,
-    /// Bounds of the rate of the distance whose square this is, as [`Signal::pace`].
+    /// Bounds for a margin that is the square of a distance, see [`Signal::pace`].
     pub pace: Pace,
-    /// Why the law does not hold beyond the end.
+    /// The reason why the law is invalid beyond the zero.
     pub what: &'static str,
-    /// Whether the motion may go on beyond the end on a smooth branch, although the law does not determine it there.
+    /// Whether the motion may continue beyond the zero on a smooth branch, although the law does not determine it
+    /// there.
     pub goes_on: bool,
 }
 
-/// The margins of a state y with the rates dy at a time, always as many.
+/// The margins of a state y with the rates dy at a time (s); their number is constant.
 pub type Margins = dyn Fn(f64, &[f64], &[f64]) -> Vec<Margin> + Send + Sync;
 
 /// A law with its margins.
@@ -36,7 +37,8 @@ pub struct Ending<'a> {
 }
 
 impl Ending<'_> {
-    /// Runs over a span, or to the end of the law: then the outcome is the last state within it, with the reason.
+    /// Integrates over a span, or to the end of the validity of the law: the outcome is then the last valid state, with
+    /// the reason.
     pub fn integrate(
         &self,
         (method, tolerance): (Method, &Tolerance),
@@ -65,7 +67,7 @@ impl Ending<'_> {
         let Some(Event { signal, .. }) = event else { return (outcome, None) };
         let margins = ends.at(outcome.time, &outcome.state);
         if outside(&margins).is_some() {
-            // the motion could not be computed again up to there
+            // the motion could not be integrated up to there
             (outcome.time, outcome.state) = (good.time, good.state);
         }
         (outcome, margins.get(signal).map(|margin| margin.what))
@@ -77,22 +79,22 @@ pub fn outside(margins: &[Margin]) -> Option<&'static str> {
     margins.iter().find(|margin| margin.value.is_nan() || margin.value <= 0.0).map(|margin| margin.what)
 }
 
-/// The margins, for a state that has more components behind its own.
+/// The margins for a state that is followed by further components; `own` is the length of the state.
 pub fn of_leading(margins: Box<Margins>, own: usize) -> Box<Margins> {
     Box::new(move |time, y: &[f64], dy: &[f64]| margins(time, &y[..own], &dy[..own]))
 }
 
-/// The margins as signals, for a state that may have more components behind its own.
+/// The margins as signals, for a state that may be followed by further components.
 pub(super) struct Ends<'a> {
     of: Ending<'a>,
     count: usize,
-    /// The number of the state's own components.
+    /// The number of components of the state itself.
     own: usize,
     rates: RefCell<Vec<f64>>,
 }
 
 impl<'a> Ends<'a> {
-    /// The margins as signals; `None` where a law has none. The law has `behind` components behind those of the state.
+    /// The margins as signals; `None` where the law has none. The state is followed by `behind` further components.
     pub fn of(of: Ending<'a>, time: f64, state: &[f64], behind: usize) -> Option<Self> {
         let own = state.len();
         let count = (of.margins)(time, state, &vec![0.0; own]).len();
@@ -114,7 +116,7 @@ impl Switches for Ends<'_> {
         let mut rates = self.rates.borrow_mut();
         Ode::<f64>::rates(self.of.law, time, state, &mut rates);
         for (signal, margin) in out.iter_mut().zip((self.of.margins)(time, &state[..self.own], &rates[..self.own])) {
-            // beyond its end a law may be singular, and its rates NaN
+            // beyond its end a law may be singular, with NaN rates
             let [value, rate] =
                 [margin.value, margin.rate].map(|number| if number.is_finite() { number } else { -1.0 });
             *signal = Signal { value, rate, noise: 0.0, pace: margin.pace };
@@ -126,20 +128,20 @@ impl Switches for Ends<'_> {
     }
 }
 
-/// The switches of a law that changes at events, with the margins behind them.
+/// The switches of a law that changes at events, followed by its margins.
 pub(super) struct SwitchesAndEnds<'a> {
     pub switches: &'a dyn Switches,
     pub ends: Option<Ends<'a>>,
 }
 
 impl SwitchesAndEnds<'_> {
-    /// The margin with which the law ends, if the event is that of one.
+    /// The margin at which the law ends, if the event is the zero of a margin.
     pub fn end(&self, event: &Event, state: &[f64]) -> Option<Margin> {
         let margin = event.signal.checked_sub(self.switches.count())?;
         self.ends.as_ref()?.at(event.time, state).get(margin).copied()
     }
 
-    /// The margin of a singular position that does not hold at a state, with its rate.
+    /// The margin of a singular position that is not positive at a state, with its rate (1/s).
     pub fn beside(&self, time: f64, state: &[f64]) -> Option<(Margin, f64)> {
         let ends = self.ends.as_ref()?;
         let place = ends.at(time, state).iter().position(|margin| margin.goes_on && margin.value <= 0.0)?;
@@ -148,12 +150,12 @@ impl SwitchesAndEnds<'_> {
         Some((ends.at(time, state)[place], signals[place].rate))
     }
 
-    /// Whether the law holds at a state.
+    /// Whether all margins are positive at a state.
     pub fn margins_hold(&self, time: f64, state: &[f64]) -> bool {
         self.ends.as_ref().is_none_or(|ends| outside(&ends.at(time, state)).is_none())
     }
 
-    /// Whether the law holds at a state, and no switch has fallen that was positive at an event before.
+    /// Whether all margins are positive at a state, and no switch that was positive at an event has fallen since.
     pub fn hold(&self, event: (f64, &[f64]), (time, state): (f64, &[f64])) -> bool {
         let signals = |time: f64, state: &[f64]| {
             let mut signals = vec![Signal::default(); self.count()];
@@ -188,7 +190,7 @@ impl Switches for SwitchesAndEnds<'_> {
     }
 }
 
-/// Keeps the last state that was shown.
+/// Stores the last reported state.
 struct Good<'a> {
     observer: &'a mut dyn Observer<f64>,
     time: f64,

@@ -1,4 +1,4 @@
-//! Laws that end, and laws that change: runs from event to event.
+//! Runs across events: laws whose validity ends, and laws that change.
 
 mod continuation;
 mod law_end;

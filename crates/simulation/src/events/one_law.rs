@@ -1,11 +1,11 @@
-//! A law that never changes, as a run from event to event takes it.
+//! A law without changes, as a [`Switching`] system.
 
 use super::{Segment, Switching};
 use crate::law::Law;
 use integrators::{Event, Signal, Switches};
 use std::sync::Arc;
 
-/// A law that holds over the whole run.
+/// A law that is valid over the whole run.
 pub(crate) struct OneLaw(pub Arc<dyn Law>);
 
 impl Switching for OneLaw {
@@ -19,7 +19,7 @@ impl Switching for OneLaw {
     }
 }
 
-/// No signal ends the law.
+/// Switches without any signal.
 struct NoSwitches;
 
 impl Switches for NoSwitches {

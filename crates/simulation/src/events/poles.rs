@@ -1,85 +1,86 @@
-//! Poles and jumps of a law that a step has passed over.
+//! Detection of poles and jumps of a law that a step has passed over.
 //!
-//! A method of finite order may step over a place where the rates are infinite, and continue with numbers that are no motion. Along a
-//! motion the divisors of a law keep their signs, or vanish together with their dividends. A step over which a divisor changes its sign
-//! is therefore examined: near the zero of the divisor, on the chord of the step, rates are large beside those at both ends if the zero
-//! is a pole, and similar to them if it is none.
+//! A method of finite order may step over a pole of the rates, and continue with numbers that are no motion of the law.
+//! Along a motion the divisors of a law keep their signs, or vanish together with their dividends. A step over which a
+//! divisor changes its sign is therefore examined: near the zero of the divisor, on the chord of the step, the rates
+//! are large compared with those at both ends if the zero is a pole, and similar to them if it is removable.
 //!
-//! A root has a corner where its radicand vanishes, and a direction jumps there: the distance of two points along one line. A method of
-//! finite order passes a jump by short steps, or steps over it unnoticed. A step over which a radicand comes down to zero is therefore
-//! examined too: the jump of the rates there, times the step, must be of the size of the tolerance. A step over which an angle atan2(y,
-//! x) goes from pi to -pi is examined likewise.
+//! A square root has a corner where its radicand vanishes, for example the distance of two points that pass each other
+//! on a line; a unit vector jumps there. A method of finite order passes a jump by short steps, or steps over it
+//! unnoticed. A step over which a radicand touches zero is therefore examined too: the jump of the rates, times the
+//! step, must not exceed the tolerance much. A step over which an angle atan2(y, x) passes from pi to -pi is examined
+//! likewise.
 
 use integrators::{Divisors, Observer, Outcome, System, Tolerance};
 use std::f64::consts::PI;
 
-/// Rates near a zero that are larger than at the ends of the step by this factor are those of a pole.
+/// The rates near a zero belong to a pole if they exceed those at the ends of the step by this factor.
 const LARGE: f64 = 1e3;
 
-/// The distance from the zero at which rates are compared, relative to the shorter part of the step: at a pole rates are larger
-/// there by 1e6.
+/// The distance from the zero at which rates are compared, as a fraction of the shorter part of the step: at a pole
+/// rates are larger there by 1e6.
 const NEAR: f64 = 1e-6;
 
-/// Rates smaller than this part of the largest rate are rounding.
+/// Rates smaller than this fraction of the largest rate are rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Halvings of the step that bring its zero closer than [`NEAR`].
+/// The number of bisections that locate the zero more closely than [`NEAR`].
 const HALVINGS: usize = 60;
 
-/// Why a run ends before a pole.
+/// The reason of a run that ends before a pole.
 pub const POLE: &str =
     "a divisor of its rates passes through zero in the next step, where they grow without bound: no motion follows";
 
-/// A run that ends before its last step; deviations of later times are dropped.
+/// The outcome, cut back to an earlier time and state.
 pub(super) fn up_to(outcome: Outcome<f64>, (time, state): (f64, Vec<f64>)) -> Outcome<f64> {
     let deviations = outcome.deviations.into_iter().filter(|one| one.at <= time).collect();
     Outcome { time, state, deviations, ..outcome }
 }
 
-/// Why a run ends before a jump that the method does not see.
+/// The reason of a run that ends before a jump that the method does not resolve.
 const JUMP: &str = "in the next step the argument of a root, such as a distance or a speed, passes through zero, where the rates jump: \
      this step is too long to follow them; dormand_prince_8 and taylor pass such places by short steps";
 
-/// Why a run ends before a jump of an angle that the method does not see.
+/// The reason of a run that ends before a jump of an angle that the method does not resolve.
 const TURN: &str = "in the next step an angle atan2(y, x) goes over from pi to -pi, where the rates jump: this step is too long to follow \
      them; dormand_prince_8 and taylor pass such places by short steps. An angle that is counted on is a coordinate of its own";
 
-/// A radicand that is smaller than at the ends of a step by this factor comes down to zero.
+/// A radicand touches zero if it is smaller than at the ends of a step by this factor.
 const SMALL: f64 = 1e-3;
 
-/// The distance from a jump at which rates are compared, relative to the shorter part of the step.
+/// The distance from a jump at which rates are compared, as a fraction of the shorter part of the step.
 const BESIDE: f64 = 1e-3;
 
-/// The part of the rates that is a jump, where they change by it over that distance.
+/// A change of the rates by this fraction over that distance is a jump.
 const JUMPS: f64 = 0.05;
 
-/// A jump times the step that is larger than the tolerance by this factor is not followed.
+/// A jump times the step is not resolved if it exceeds the tolerance by this factor.
 const UNSEEN: f64 = 1e3;
 
-/// A time and a state.
+/// A time (s) and a state.
 #[derive(Clone, Debug, Default)]
 struct Instant {
     time: f64,
     state: Vec<f64>,
 }
 
-/// Watches the divisors of a law over the steps of a run, and shows its observer nothing beyond a pole.
+/// Examines the divisors of a law over each step; its observer receives nothing beyond a pole.
 pub(super) struct PoleWatch<'a> {
     law: &'a dyn System,
     tolerance: &'a Tolerance,
     divisors: Option<&'a dyn Divisors>,
     observer: &'a mut dyn Observer<f64>,
     before: Instant,
-    /// The divisors there, and after the step.
+    /// The divisors at the last state, and after the step.
     values: [Vec<f64>; 2],
-    /// Outputs of the step that was not examined yet.
+    /// Outputs of the step that has not been examined yet.
     samples: Vec<Instant>,
-    /// Why the run ends, where it does.
+    /// The reason if the run must end.
     why: Option<&'static str>,
 }
 
 impl<'a> PoleWatch<'a> {
-    /// The watch of a run that begins at a time and a state.
+    /// Begins the observation of a run at a time and a state.
     pub fn new(
         (law, tolerance): (&'a dyn System, &'a Tolerance),
         (time, state): (f64, &[f64]),
@@ -102,7 +103,7 @@ impl<'a> PoleWatch<'a> {
         }
     }
 
-    /// The last state before a pole or a jump and the reason, if the run has come to one, also on the way to the event that ended it.
+    /// The last state before a pole or a jump, with the reason, if the run has reached one, also within its last step.
     pub fn end(mut self, Outcome { time, state, .. }: &Outcome<f64>) -> Option<(f64, Vec<f64>, &'static str)> {
         if let Some(why) = self.why.or_else(|| self.passed(*time, state)) {
             return Some((self.before.time, self.before.state, why));
@@ -117,7 +118,7 @@ impl<'a> PoleWatch<'a> {
         }
     }
 
-    /// The reason why no motion leads from the last state to another, where there is one.
+    /// The reason why the step from the last state to this one is invalid; `None` where it is valid.
     fn passed(&mut self, time: f64, state: &[f64]) -> Option<&'static str> {
         let divisors = self.divisors?;
         let [before, after] = &mut self.values;
@@ -136,13 +137,13 @@ impl<'a> PoleWatch<'a> {
         (angles > 0 && self.half_turns(divisors, end).into_iter().any(|at| self.jumps(at, end))).then_some(TURN)
     }
 
-    /// A time and a state on the chord from the last state to another.
+    /// The time and state at a fraction of the chord from the last state to another.
     fn chord(&self, (time, state): (f64, &[f64]), part: f64) -> (f64, Vec<f64>) {
         let between = |(from, to): (&f64, &f64)| from + part * (to - from);
         (between((&self.before.time, &time)), self.before.state.iter().zip(state).map(between).collect())
     }
 
-    /// The rates on the chord.
+    /// The rates at a fraction of the chord.
     fn rates(&self, end: (f64, &[f64]), part: f64) -> Vec<f64> {
         let (time, state) = self.chord(end, part);
         let mut rates = vec![f64::NAN; state.len()];
@@ -150,7 +151,7 @@ impl<'a> PoleWatch<'a> {
         rates
     }
 
-    /// The parts of the step at which a radicand comes down to zero.
+    /// The fractions of the step at which a radicand touches zero.
     fn corners(&self, divisors: &dyn Divisors, end: (f64, &[f64])) -> Vec<f64> {
         let [signed, radicands, _] = divisors.counts();
         let mut middle = vec![f64::NAN; self.values[0].len()];
@@ -159,7 +160,7 @@ impl<'a> PoleWatch<'a> {
         let [before, after] = &self.values;
         let lowest = |place: usize| {
             let [from, at, to] = [before[place], middle[place], after[place]];
-            // the parabola through the three
+            // the parabola through three values
             let (slope, bend) = (4.0 * at - 3.0 * from - to, 2.0 * (from + to - 2.0 * at));
             let lowest = -slope / (2.0 * bend);
             let least = from + lowest * (slope + lowest * bend);
@@ -168,7 +169,7 @@ impl<'a> PoleWatch<'a> {
         (signed..signed + radicands).filter_map(lowest).collect()
     }
 
-    /// The parts of the step at which an angle jumps from pi to -pi, or back.
+    /// The fractions of the step at which an angle jumps from pi to -pi, or back.
     fn half_turns(&self, divisors: &dyn Divisors, end: (f64, &[f64])) -> Vec<f64> {
         let [signed, radicands, angles] = divisors.counts();
         let [before, after] = &self.values;
@@ -177,7 +178,7 @@ impl<'a> PoleWatch<'a> {
         turned.map(|place| self.change_of_sign(divisors, place, end).0).collect()
     }
 
-    /// Whether the rates jump at a part of the step by more than the method resolves.
+    /// Whether the rates jump at a fraction of the step by more than the method resolves.
     fn jumps(&self, at: f64, (time, state): (f64, &[f64])) -> bool {
         let part = at.min(1.0 - at);
         let [first, last, below, above] =
@@ -191,7 +192,7 @@ impl<'a> PoleWatch<'a> {
         })
     }
 
-    /// The parts of the step, next to one another, between which one of the values changes its sign.
+    /// Adjacent fractions of the step between which one of the values changes its sign.
     fn change_of_sign(&self, divisors: &dyn Divisors, place: usize, end: (f64, &[f64])) -> (f64, f64) {
         let mut values = vec![f64::NAN; self.values[0].len()];
         let mut value = |part: f64| {
@@ -208,7 +209,7 @@ impl<'a> PoleWatch<'a> {
         (from, to)
     }
 
-    /// Whether the rates are large where a divisor vanishes between the last state and another.
+    /// Whether the rates have a pole where a divisor vanishes between the last state and another.
     fn is_pole(&self, divisors: &dyn Divisors, place: usize, end: (f64, &[f64])) -> bool {
         let (from, to) = self.change_of_sign(divisors, place, end);
         let apart = NEAR * from.min(1.0 - to);

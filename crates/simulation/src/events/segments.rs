@@ -1,4 +1,4 @@
-//! Runs of systems whose law changes at events: segment after segment, each from an event, located to rounding, to the next.
+//! Runs of systems whose law changes at events: a sequence of segments, each ending at a located event.
 
 use super::continuation::Continuation;
 use super::law_end::{Ending, Ends, Margins, SwitchesAndEnds};
@@ -11,14 +11,15 @@ use integrators::{
 };
 use std::sync::Arc;
 
-/// A law that holds until one of its switches falls.
+/// A law that is valid until one of its switches falls.
 pub struct Segment {
-    /// The law; it may carry more components behind the state of the system: see `followed`.
+    /// The law; further components may follow the state of the system, see `followed`.
     pub law: Arc<dyn Law>,
-    /// The number of integrals of signals' rates that the law carries, each zero when it begins. A method resolves them like the
-    /// state: without them the steps of a body at rest would grow beyond the period of the force that will move it.
+    /// The number of components that integrate the rates of signals, each zero at the beginning of the segment. Methods
+    /// resolve them like the state. Without them the steps of a body at rest would grow beyond the period of the force
+    /// that sets it in motion.
     pub followed: usize,
-    /// The longest first step, where the law begins in a state from which it changes fast.
+    /// The largest first step (s), for a law that changes rapidly from its initial state.
     pub longest_first: Option<f64>,
     pub switches: Box<dyn Switches>,
 }
@@ -44,37 +45,37 @@ pub struct Passage {
     pub cause: Cause,
     /// The event, in words.
     pub what: String,
-    /// The law that follows, in words; none where the motion ends.
+    /// The subsequent law, as text; `None` where the motion ends.
     pub then: Option<String>,
-    /// The row of a run at this time, of the state after the event, by the law that follows.
+    /// The row of the run after the event, by the subsequent law.
     pub row: Vec<f64>,
 }
 
-/// A system whose law, or state, changes at events.
+/// A system whose law or state changes at events.
 pub trait Switching: Send + Sync {
-    /// The law that holds from `time` on, in s; an event there may change the state.
+    /// The law that is valid from `time` (s) on. An event at that time may change the state.
     ///
     /// # Errors
-    /// The reason for which the motion is not determined.
+    /// The reason why the motion is not determined.
     fn begin(&self, time: f64, state: &mut [f64]) -> Result<Segment, &'static str>;
 
-    /// The law after an event, and its state; none where the motion ends with the event.
+    /// The law after an event; changes the state. `None` where the motion ends with the event.
     ///
     /// # Errors
-    /// Why no motion follows.
+    /// The reason why no motion follows.
     fn pass(&self, event: &Event, state: &mut [f64]) -> Result<Option<Segment>, &'static str>;
 
-    /// Why a method cannot follow these laws, if it cannot.
+    /// The reason why a method cannot integrate these laws; `None` where it can.
     fn refuses(&self, _method: Method) -> Option<&'static str> {
         None
     }
 
-    /// Why a method cannot go on from a state, if the law gives a reason.
+    /// The reason why no method can continue from a state, if the law gives one.
     fn obstacle(&self, _time: f64, _state: &[f64]) -> Option<&'static str> {
         None
     }
 
-    /// The start and the events of the run, or of the last one.
+    /// The start and the events of the present or last run.
     fn passages(&self) -> Vec<Passage> {
         Vec::new()
     }
@@ -84,17 +85,17 @@ pub trait Switching: Send + Sync {
 const MANY_EVENTS: usize = 20_000;
 const SHORT: f64 = 0.02;
 
-/// The number of events in a row within a rounding of the time after which their times are taken to have a limit.
+/// After so many events in a row within a rounding of the time, their times count as having a limit.
 const MOST_TOGETHER: usize = 64;
 
-/// Why a run ends where the times of its events have a limit.
+/// The reason of a run that ends where its events accumulate.
 pub const ACCUMULATE: &str = "infinitely many events follow each other in a finite time";
 
 /// Why a run ends where events follow each other too fast.
 pub const TOO_MANY: &str = "20,000 events follow each other within 2 % of the span";
 
-/// Runs over a span, event after event, as long as the margins are positive, or beyond on the smooth branch of the motion if it `goes_on`
-/// there. The reason is given if the motion ends before the span does.
+/// Integrates over a span across events while the margins are positive. With `goes_on`, singular positions are passed
+/// on the smooth branch. Returns the reason if the motion ends before the span.
 pub(crate) fn integrate(
     (switching, margins): (&dyn Switching, &Margins),
     (method, tolerance): (Method, &Tolerance),
@@ -212,8 +213,8 @@ pub(crate) fn integrate(
     (at, Some(TOO_MANY))
 }
 
-/// The motion from a start beside a singular position, where the margin has a rate, to where the law determines it; none where rounding of
-/// the start decides it.
+/// The motion from a start near a singular position, where the margin has the given rate, to where the law determines
+/// it. `None` where the rounding of the start decides about it.
 fn from_beside<'a>(
     (law, tolerance): (&'a dyn System, &Tolerance),
     (begin, rate): (&Instant, f64),
@@ -229,7 +230,7 @@ fn from_beside<'a>(
     let largest = begin.1.iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));
     let mut rounded = begin.clone();
     for (place, part) in rounded.1.iter_mut().enumerate() {
-        // parts that are no multiples of each other, of both signs
+        // fractions of both signs that are no multiples of each other
         let by = ((place + 1) as f64 * 0.618_033_988_749_894_9).fract() * 2.0 - 1.0;
         *part += 2.0 * f64::EPSILON * largest * by;
     }
@@ -239,12 +240,12 @@ fn from_beside<'a>(
     found.agrees(&motion(&rounded)?, tolerance).then_some(found)
 }
 
-/// The end of a run that has spent its evaluations.
+/// The end of a run that has exhausted its evaluations.
 fn spent(at: f64, span: &Span<'_, f64>) -> End {
     End::Stopped(Failure::TooManyEvaluations { at, allowed: span.budget.evaluations })
 }
 
-/// Moves a run along a continuation, to the end of the span at most; returns the number of samples that were shown.
+/// Moves a run along a continuation, at most to the end of the span. Returns the number of reported samples.
 fn moved(
     at: &mut Outcome<f64>,
     beyond: &Continuation<'_>,
@@ -259,7 +260,7 @@ fn moved(
     shown
 }
 
-/// A tolerance of a state with integrals of rates of signals behind it, each of the size one.
+/// The tolerance for a state followed by integrals of rates of signals, which are of size one.
 fn with_followed(tolerance: &Tolerance, followed: usize) -> Tolerance {
     let mut tolerance = tolerance.clone();
     if let Absolute::Each(each) = &mut tolerance.absolute {
@@ -268,7 +269,7 @@ fn with_followed(tolerance: &Tolerance, followed: usize) -> Tolerance {
     tolerance
 }
 
-/// A run with the part that follows it.
+/// Joins two consecutive parts of a run.
 fn joined(before: Outcome<f64>, after: Outcome<f64>) -> Outcome<f64> {
     let mut deviations = after.deviations;
     for (later, earlier) in deviations.iter_mut().zip(before.deviations) {
@@ -283,15 +284,15 @@ fn joined(before: Outcome<f64>, after: Outcome<f64>) -> Outcome<f64> {
     Outcome { work: before.work + after.work, deviations, ..after }
 }
 
-/// Shows the state of the system, and the fraction of the whole run.
+/// An observer that removes the further components of the state, and converts progress to that of the whole run.
 struct Part<'a> {
     observer: &'a mut dyn Observer<f64>,
     states: usize,
-    /// The number of samples that are seen.
+    /// The number of reported samples.
     sampled: &'a mut usize,
     done: f64,
     share: f64,
-    /// The last steps, for the continuation of the motion beyond a singular position.
+    /// The last steps, for the continuation beyond a singular position.
     trail: Option<&'a mut Trail>,
 }
 

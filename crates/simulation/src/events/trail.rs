@@ -1,46 +1,49 @@
-//! States of a motion before a singular position, from which it is continued beyond.
+//! States of a motion before a singular position, for the continuation beyond it.
 
 use super::law_end::SwitchesAndEnds;
 use integrators::{System, Taylor, TaylorSeries, Tolerance};
 
-/// The order of the series.
+/// The order of the Taylor series.
 pub(super) const ORDER: usize = 24;
 
-/// The number of states of a trail at which it is thinned out, and the factor by which their distances to the last one then grow at least.
+/// The number of states from which a trail is thinned out, and the smallest ratio of their distances from the last
+/// state afterwards.
 const MOST: usize = 128;
 const THINNED: f64 = 1.25;
 
-/// The distances of states from which the motion is computed again differ by this factor at least.
+/// The smallest ratio of the distances of states from which the motion is integrated again.
 const FARTHER: f64 = 2.0;
 
-/// The error of a step between such states: rounding.
+/// The tolerance of steps between such states: rounding.
 const EXACTLY: f64 = 1e-15;
 
-/// States that are computed again, each at half the distance of the one before.
+/// The number of repeated states, each at half the distance of the one before.
 const HALVINGS: usize = 6;
 
-/// The first step away from a singular position beside which a run begins, as a part of the span; the next ones are each twice as long. The series of a motion that
-/// is off its branch by rounding converges up to the position only, so that no step is longer than the distance from it.
+/// The first step away from a singular position near the start, as a fraction of the span; each further step is twice
+/// as long. The series of a motion that deviates from its branch by rounding converges up to the position only: no step
+/// is longer than the distance from it.
 pub(super) const FIRST: f64 = 1e-11;
 const DOUBLINGS: i32 = 40;
 
-/// States before the first one of a trail, or before a start, where the margins hold.
+/// The number of states with positive margins before the first state of a trail, or before a start.
 const BEFORE: usize = 9;
 
-/// A time with its state.
+/// A time (s) and the state then.
 pub(super) type Instant = (f64, Vec<f64>);
 
-/// States of a motion up to the last one, the denser the later they are: steps become short before a singular position.
+/// States of a motion up to the last one. They are denser towards the end, where the motion approaches a singular
+/// position.
 #[derive(Debug, Default)]
 pub(super) struct Trail {
     states: Vec<Instant>,
-    /// Room of states that were dropped.
+    /// Buffers of dropped states.
     spare: Vec<Vec<f64>>,
 }
 
 impl Trail {
-    /// The states of a motion before its start beside a singular position, by series backwards in time. None where they do not lead to where
-    /// the margins hold.
+    /// The states of a motion before its start near a singular position, by series backwards in time. `None` where they
+    /// do not reach positive margins.
     pub fn before(law: &dyn System, start: &Instant, span: f64, switches: &SwitchesAndEnds<'_>) -> Option<Self> {
         let mut states = away(law, start, -FIRST * span, (switches, BEFORE))?;
         states.reverse();
@@ -48,7 +51,7 @@ impl Trail {
         Some(Trail { states, spare: Vec::new() })
     }
 
-    /// The trail with states before its first one, for a run that began not far from an event.
+    /// The trail with additional states before its first one, for a run that began close to an event.
     pub fn extended(&self, law: &dyn System, event: f64, switches: &SwitchesAndEnds<'_>) -> Option<Self> {
         let first = self.states.first()?;
         let mut states = away(law, first, first.0 - event, (switches, BEFORE))?;
@@ -79,8 +82,8 @@ impl Trail {
         self.states.push((time, room));
     }
 
-    /// Chains of states towards an event, the nearest chain first. Each begins with a state of the trail, and goes on by the series of the
-    /// motion: two states of a chain differ by rounding, whatever the method and its tolerance.
+    /// Chains of states towards an event, the nearest chain first. Each begins with a state of the trail and continues
+    /// with Taylor's method: states of a chain differ from one motion by rounding only, whatever the method of the run.
     pub fn chains(&self, law: &dyn System, event: f64) -> Option<Vec<Vec<Instant>>> {
         let mut path = Path::of(law)?;
         let mut chains: Vec<Vec<Instant>> = Vec::new();
@@ -95,7 +98,7 @@ impl Trail {
     }
 }
 
-/// The motion computed again to rounding.
+/// Repeated integration to rounding accuracy.
 struct Path<'a> {
     law: &'a dyn System,
     taylor: Taylor<Box<dyn TaylorSeries<f64> + 'a>>,
@@ -106,7 +109,7 @@ impl<'a> Path<'a> {
         Some(Path { law, taylor: Taylor::new(law.taylor()?, &Tolerance::both(EXACTLY)) })
     }
 
-    /// The state at another time; none where no steps lead there.
+    /// The state at another time; `None` where the integration fails.
     fn moved(&mut self, (time, state): &Instant, next: f64) -> Option<Instant> {
         let mut moved = state.clone();
         self.taylor.propagate(*time, next, &mut moved).ok()?;
@@ -117,7 +120,7 @@ impl<'a> Path<'a> {
     }
 }
 
-/// States farther and farther from a singular position, from a first step on, until so many of them are where the margins hold.
+/// States at increasing distances from a singular position, until `count` of them have positive margins.
 pub(super) fn away(
     law: &dyn System,
     start: &Instant,

@@ -1,42 +1,43 @@
-//! The drift of an integral along a run, by its means over whole windows.
+//! Measurement of the drift of an integral along a run, from its means over whole windows.
 
 use super::{Integral, MotionWithIntegrals, Window};
 use integrators::{Failure, Method, Observer, Span, Tolerance, integrate};
 use std::ops::ControlFlow;
 
-/// The relative change of an integral beyond which the run is on another motion.
+/// The relative change of an integral beyond which the run counts as another motion.
 const OTHER_MOTION: f64 = 0.1;
 
-/// Steps between two looks at the clock.
+/// The number of steps between two readings of the clock.
 const A_LOOK: u64 = 1 << 10;
 
-/// The relative difference between the figures of a longer and a shorter run up to which a drift counts as proportional to
-/// time.
+/// A drift counts as proportional to time if longer and shorter runs agree to this fraction.
 const IN_PROPORTION: f64 = 0.02;
 
-/// The change of an integral, relative to its size and its swing, below which it counts as none.
+/// A change of an integral is zero below this fraction of its size and swing.
 const NO_CHANGE: f64 = 1e-9;
 const OF_SWING: f64 = 0.1;
 
-/// A drift, and the number of windows between the two means that tell it.
+/// A drift per window, and the number of windows between the two means that determine it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slope {
     pub drift: f64,
     pub windows: u32,
 }
 
-/// The drift of an integral along a run.
+/// The measured drift of an integral along a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
-    /// The change in a window, in the unit of the integral; `None` where the first windows already leave the motion.
+    /// The change per window, in the unit of the integral; `None` where the run leaves the motion within the first
+    /// windows.
     pub change: Option<Slope>,
-    /// The relative change in each window; `None` where its means have no ratio.
+    /// The relative change per window; `None` where the ratio of the means is undefined.
     pub part: Option<Slope>,
-    /// The largest distance between two values within the first window.
+    /// The difference of the largest and smallest value within the first window.
     pub swing: f64,
 }
 
-/// The longest of some figures that is proportional to time; each has a number of windows, and the sum of the drift over these.
+/// The value over the largest number of windows that is proportional to time. `sums` are pairs of a number of windows
+/// and the total drift.
 fn in_proportion(sums: &[(u64, f64)], no_change: f64) -> Option<Slope> {
     let slope = |(windows, sum): &(u64, f64)| Slope { drift: sum / *windows as f64, windows: *windows as u32 };
     let last = sums.last()?;
@@ -50,17 +51,17 @@ fn in_proportion(sums: &[(u64, f64)], no_change: f64) -> Option<Slope> {
     sums.windows(2).rfind(agree).map(|pair| slope(&pair[1]))
 }
 
-/// The mean of each integral over some windows of a run.
+/// The mean of each integral over selected windows of a run.
 struct Means<'a> {
     integrals: &'a [Integral],
-    /// Steps in a window.
+    /// The number of steps in a window.
     steps: u64,
     last: u64,
     done: u64,
     sums: Vec<f64>,
-    /// The window, and the mean in it.
+    /// The number of the window, and the means in it.
     means: Vec<(u64, Vec<f64>)>,
-    /// The least and the largest value in the first window.
+    /// The smallest and the largest value in the first window.
     first: Vec<[f64; 2]>,
     sizes: &'a [f64],
     goes_on: &'a dyn Fn() -> ControlFlow<()>,
@@ -68,7 +69,7 @@ struct Means<'a> {
 }
 
 impl Means<'_> {
-    /// The windows 0, 1, 2, 4, 9, 19, 49, ... and the last one.
+    /// Whether the means of a window are recorded: the windows 0, 1, 2, 4, 9, 19, 49, ... and the last one.
     fn is_watched(&self, window: u64) -> bool {
         let mut count = window + 1;
         while count.is_multiple_of(10) {
@@ -129,11 +130,12 @@ fn over_span(motion: &MotionWithIntegrals<'_>, method: Method, length: f64) -> R
     Ok(motion.integrals.iter().map(of).collect())
 }
 
-/// Measures each integral along a run of several windows with a method that makes equal steps, as many in each window; changes are relative
-/// to `sizes`. For a motion that does not return the run is its span alone. `None` for an integral which two windows of the run do not tell.
+/// Measures each integral along a run of several windows with a method with equal steps, whose number per window is an
+/// integer. Changes are relative to `sizes`. For a motion without a period the run is its span alone. `None` for an
+/// integral for which no two windows agree.
 ///
 /// # Errors
-/// Why the run ended before it had two windows.
+/// [`Failure`] where the run ends before its second window.
 pub fn measured(
     motion: &MotionWithIntegrals<'_>,
     method: Method,
@@ -174,7 +176,7 @@ pub fn measured(
         let powers = later.iter().map(|(at, mean)| (*at, (mean / first).ln()));
         let powers: Vec<(u64, f64)> = powers.take_while(|(_, power)| power.is_finite()).collect();
         let stays = changes.first().is_some_and(|(_, change)| change.abs() <= OTHER_MOTION * sizes[place]);
-        // a run that leaves the motion within a few windows has no two figures that agree
+        // a run that leaves the motion within a few windows has no two values that agree
         let first_change = || changes.first().map(|(_, change)| Slope { drift: *change, windows: 1 });
         let swing = means.first[place][1] - means.first[place][0];
         let change = in_proportion(&changes, (NO_CHANGE * sizes[place]).max(OF_SWING * swing))

@@ -1,16 +1,17 @@
 //! Drift of integrals of motion under methods with constant steps, by theory and by runs.
 //!
-//! A method of order p with the step h follows a modified equation. Along it an integral I of the law y' = f(y) changes at the rate
+//! By backward error analysis, a method of order p with the step size h follows a modified equation. Along it an
+//! integral I of the law y' = f(y) changes at the rate
 //!
 //!   g = h^p grad I . f_(p+1) + h^(p+1) grad I . f_(p+2) + ... .
 //!
-//! One step from a point y of the exact motion changes I by the integral of g over that step, hence over a period T
+//! One step from a point y of the exact motion changes I by the integral of g over that step. Hence
 //!
 //!   D(h) = (1/h) integral over T of (I(step(y(t))) - I(y(t))) dt
 //!
-//! is the drift of a period up to terms of order h^(2p), which come from the distance between both motions (Hairer, Lubich and Wanner,
-//! Geometric Numerical Integration, IX). Where D falls with h^(2p), only these terms are seen: along such a motion, symplectic or symmetric
-//! methods let I oscillate but not drift.
+//! is the drift over a period T, up to terms of order h^(2p), which come from the distance between both motions
+//! (Hairer, Lubich and Wanner, Geometric Numerical Integration, IX). If D falls as h^(2p), it consists of these terms
+//! only: along such a motion, symplectic or symmetric methods let I oscillate but not drift.
 //!
 //! # Overview
 //! * [`return_time`]: the period of a motion;
@@ -30,13 +31,13 @@ use crate::problem::{Function, Invariant};
 use integrators::{Failure, Method, Observer, Record, Span, Tolerance, integrate};
 use std::sync::Arc;
 
-/// An integral of the motion: a function of time and state that a motion keeps.
+/// An integral of motion: a function of time and state that is constant along a motion.
 pub struct Integral {
     pub name: String,
-    /// The unit of its value; 1 where it has none, empty where it is not known.
+    /// The unit of its value; "1" for a pure number, empty where unknown.
     pub unit: String,
     pub value: Arc<Function>,
-    /// The size of the terms of which it is composed, where it is known.
+    /// The size of its terms, if known.
     pub size: Option<Arc<Function>>,
 }
 
@@ -52,7 +53,7 @@ impl From<Invariant> for Integral {
     }
 }
 
-/// A motion with the integrals that it keeps.
+/// A motion with its integrals.
 pub struct MotionWithIntegrals<'a> {
     pub law: &'a dyn Law,
     /// The state at time zero.
@@ -60,12 +61,12 @@ pub struct MotionWithIntegrals<'a> {
     pub integrals: &'a [Integral],
 }
 
-/// The time over which a drift is measured.
+/// The time interval of a drift.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Window {
     /// A period of the motion, s.
     Period(f64),
-    /// A span after which the motion has not returned, s.
+    /// A span of a motion without a period, s.
     Span(f64),
 }
 
@@ -78,17 +79,17 @@ impl Window {
     }
 }
 
-/// The tolerance of the run that stands for the exact motion.
+/// The tolerance of the run that represents the exact motion.
 const EXACT: f64 = 1e-13;
 
-/// States of a window at which sizes are taken.
+/// The number of states of a window at which sizes are computed.
 const SIZED: usize = 64;
 
 impl MotionWithIntegrals<'_> {
-    /// States of the exact motion at ascending times.
+    /// The states of the exact motion at ascending times (s).
     ///
     /// # Errors
-    /// Why the run ended before the last.
+    /// [`Failure`] where the run ends before the last of them.
     fn states(&self, times: &[f64]) -> Result<Vec<Vec<f64>>, Failure> {
         let Some(&end) = times.last() else { return Ok(Vec::new()) };
         let mut record = Record::new();
@@ -96,7 +97,7 @@ impl MotionWithIntegrals<'_> {
         Ok(record.states)
     }
 
-    /// The state at a time of the exact motion that begins at another time, as exactly as double precision allows.
+    /// The state at the time `to` of the motion that begins at `from` (s), with the accuracy of double precision.
     fn exactly(
         &self,
         (from, to): (f64, f64),
@@ -112,7 +113,7 @@ impl MotionWithIntegrals<'_> {
     /// The largest size of each integral along a window.
     ///
     /// # Errors
-    /// Why the run ended before its end.
+    /// [`Failure`] where the run ends early.
     pub fn sizes(&self, window: Window) -> Result<Vec<f64>, Failure> {
         let times: Vec<f64> = (1..=SIZED).map(|k| window.length() * k as f64 / SIZED as f64).collect();
         let states = self.states(&times)?;

@@ -1,25 +1,25 @@
-//! The period of a motion: the first time at which the state is that of the start.
+//! The period of a motion: the first time at which it returns to its initial state.
 
 use super::MotionWithIntegrals;
 use integrators::{Failure, Observer};
 
-/// The distance from the start, each component relative to its size along the motion, within which a state has returned.
+/// The motion has returned if each component differs from the start by at most this fraction of its size.
 const RETURNED: f64 = 1e-7;
 
-/// The most Newton steps to a crossing.
+/// The largest number of Newton steps for a crossing.
 const NEWTON: usize = 12;
 
-/// The difference of a component at the end and at the start, modulo whole turns of an angle.
+/// The difference of a component (by index) at the end and at the start; for an angle, modulo whole turns.
 pub type Gap<'a> = dyn Fn(usize, f64, f64) -> f64 + 'a;
 
-/// Whether a motion returns.
+/// The result of the search for a period.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Returns {
-    /// After this time, s.
+    /// The motion has this period, s.
     After(f64),
     /// The motion does not return within the span.
     Not,
-    /// The motion is a rest.
+    /// The motion is an equilibrium.
     Rests,
 }
 
@@ -33,13 +33,13 @@ impl Observer<f64> for Steps {
     }
 }
 
-/// The first return of a motion within a span; `gap` compares components.
+/// The first return of a motion within a span (s); `gap` compares components.
 ///
-/// Where the motion crosses the plane through the start across its rates there, from behind, the time of the crossing is found by Newton's
-/// method, and the state is compared with the start.
+/// Where the motion crosses the plane through the start, normal to the rates there, in the direction of these rates,
+/// the time of the crossing is located by Newton's method, and the state is compared with the start.
 ///
 /// # Errors
-/// Why the run ended before.
+/// [`Failure`] where the run ends before.
 pub fn return_time(motion: &MotionWithIntegrals<'_>, span: f64, gap: &Gap<'_>) -> Result<Returns, Failure> {
     let (n, start) = (motion.start.len(), motion.start);
     let mut rates = vec![0.0; n];
@@ -57,7 +57,7 @@ pub fn return_time(motion: &MotionWithIntegrals<'_>, span: f64, gap: &Gap<'_>) -
     if moving.is_empty() {
         return Ok(Returns::Rests);
     }
-    // rates and gaps in parts of the sizes
+    // rates and differences relative to the sizes
     let ahead = |state: &[f64]| -> f64 {
         moving.iter().map(|&k| gap(k, state[k], start[k]) * rates[k] / (sizes[k] * sizes[k])).sum()
     };

@@ -1,17 +1,17 @@
-//! The drift of an integral by single steps from points of the exact motion.
+//! The drift of an integral by backward error analysis: from single steps that begin at points of the exact motion.
 
 use super::{MotionWithIntegrals, Window};
 use integrators::{Failure, Method, Span, Tolerance, integrate};
 use std::ops::ControlFlow;
 
-/// The drift that theory gives for a window.
+/// The predicted drift over a window.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Drift {
-    /// The change in a window, in the unit of the integral.
+    /// The change over a window, in the unit of the integral.
     Of(f64),
-    /// None in the terms of order h^p and h^(p+1): the integral oscillates.
+    /// No drift in the terms of order h^p and h^(p+1): the integral oscillates.
     None,
-    /// Less than the rounding error.
+    /// The drift is smaller than this rounding error.
     Rounding(f64),
 }
 
@@ -19,27 +19,27 @@ pub enum Drift {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expected {
     pub drift: Drift,
-    /// The largest less the least value along the window, drift and swing together.
+    /// The largest minus the smallest value along the window, including the drift.
     pub swing: f64,
 }
 
-/// Numbers of points on the motion; more where two numbers of them do not agree.
+/// Numbers of points on the motion, in turn, until two results agree.
 const POINTS: [usize; 4] = [128, 256, 512, 1024];
 
-/// The part of a drift, or of its swing, within which two numbers of points agree.
+/// The relative difference of drifts or swings up to which two results agree.
 const AGREE: f64 = 2e-3;
 
-/// The units in the last place by which the change of an integral over one step errs.
+/// The error of the change of an integral over one step, in units in the last place.
 const ULPS: f64 = 4.0;
 
-/// The margin below 2p of the power of h that counts as h^(2p).
+/// Exponents of h above 2p less this margin count as 2p.
 const BETWEEN: f64 = 0.5;
 
-/// The drift of every integral under a method with equal steps, as many in a window; rounding is relative to `sizes`; `None` where `goes_on` ended
-/// it.
+/// The drift of every integral for a method with equal steps, whose number per window is an integer. Rounding is
+/// relative to `sizes`. `None` where `goes_on` ended the computation.
 ///
 /// # Errors
-/// Why the exact motion, or a step, does not exist.
+/// [`Failure`] where the exact motion, or a step, fails.
 pub fn expected(
     motion: &MotionWithIntegrals<'_>,
     method: Method,
@@ -76,7 +76,7 @@ pub fn expected(
     Ok(None)
 }
 
-/// The drift of each integral over a window and the distance between the largest and the least sum up to a point of it.
+/// The drift of each integral over a window, and the difference between the largest and the smallest partial sum.
 fn defects(
     motion: &MotionWithIntegrals<'_>,
     method: Method,
@@ -89,7 +89,7 @@ fn defects(
     let share = length / points as f64 / h;
     let mut sums = vec![[0.0_f64; 3]; motion.integrals.len()];
     let begin = (0.0, motion.start.to_vec());
-    // over a period the rule of rectangles converges as fast as Fourier's series
+    // over a period the rectangle rule converges exponentially
     for (time, state) in std::iter::once(begin).chain(times.into_iter().zip(states)).take(points) {
         if goes_on().is_break() {
             return Ok(None);

@@ -1,4 +1,4 @@
-//! A law held to constraints (an index-2 DAE) as straight-line programs.
+//! An index-2 DAE compiled to straight-line programs.
 
 use crate::law::program::{Program, Running};
 use field::DoubleDouble;
@@ -6,31 +6,31 @@ use integrators::{Dual8, Index2Dae, Index2DaeSystem};
 use std::sync::Arc;
 use symbolic::Sym;
 
-/// A held law over expressions that can be shared between threads.
+/// An index-2 DAE over symbolic expressions that can be shared between threads.
 pub trait SymbolicDae: Index2Dae<Sym> + Send + Sync {}
 impl<L: Index2Dae<Sym> + Send + Sync> SymbolicDae for L {}
 
-/// A law that is held to constraints, as programs.
+/// An index-2 DAE as programs.
 pub struct CompiledDae {
     law: Arc<dyn SymbolicDae>,
-    /// `None` where an expression has no value: then every computed number is NaN.
+    /// `None` where an expression is undefined: then every result is NaN.
     programs: Option<Programs>,
 }
 
 struct Programs {
-    /// The rates, from y and z together.
+    /// The rates as functions of y and z.
     rates: Program,
-    /// f, the columns of B, g.
+    /// f, the columns of B, and g.
     free: Program,
     columns: Program,
     constraints: Program,
 }
 
-/// The largest number of components of y and z together that are gathered without allocation.
+/// The largest number of components of y and z that are gathered without allocation.
 const FEW: usize = 64;
 
 impl CompiledDae {
-    /// Compiles a law, which may depend on time.
+    /// Compiles a DAE, which may depend on time.
     pub fn new(law: impl SymbolicDae + 'static) -> Self {
         CompiledDae { programs: Programs::of(&law), law: Arc::new(law) }
     }

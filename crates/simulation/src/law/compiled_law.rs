@@ -1,4 +1,4 @@
-//! A compiled law of motion: every form that a method needs, from one law over expressions.
+//! A compiled law of motion: all evaluations that a method needs, from one symbolic law.
 
 use crate::law::divisors::DivisorProgram;
 use crate::law::jacobian::JacobianProgram;
@@ -16,17 +16,17 @@ use symbolic::Sym;
 pub trait Law: System + Send + Sync {}
 impl<L: System + Send + Sync> Law for L {}
 
-/// A law over expressions that can be shared between threads.
+/// A law over symbolic expressions that can be shared between threads.
 pub trait SymbolicLaw: Ode<Sym> + Send + Sync {}
 impl<L: Ode<Sym> + Send + Sync> SymbolicLaw for L {}
 
-/// A source of the derivatives of a law.
+/// A source of the Jacobian of a law.
 pub trait Differentiable: Send + Sync {
-    /// The derivatives with room for one run; `None` where there are none: then the law is run over dual numbers.
+    /// The Jacobian with buffers for one run; `None` where unavailable: the law is then evaluated over dual numbers.
     fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>>;
 }
 
-/// A law that is a sum of fields whose flows are known, for splitting methods.
+/// A law that is a sum of fields with known flows, for splitting methods.
 pub trait Splittable: Send + Sync {
     /// The composed flows in `f64`; `None` where the law is no such sum.
     fn composed(&self, splitting: Splitting) -> Option<Box<dyn Composed<f64> + '_>>;
@@ -35,14 +35,14 @@ pub trait Splittable: Send + Sync {
     fn composed_exact(&self, splitting: Splitting) -> Option<Box<dyn Composed<DoubleDouble> + '_>>;
 }
 
-/// A law as programs. Each is made when it is first needed; data of the law are constants in it.
+/// A law as programs. Each is compiled when first needed; the data of the law are constants in it.
 pub struct CompiledLaw {
     law: Arc<dyn SymbolicLaw>,
-    /// `None` where an expression has no values.
+    /// `None` where an expression is undefined.
     rates: OnceLock<Option<Program>>,
     /// `None` where the rates divide by constants only.
     divisors: OnceLock<Option<DivisorProgram>>,
-    /// `None` where the rates depend on the time linearly at most.
+    /// `None` where the rates depend on the time at most linearly.
     time_scales: OnceLock<Option<TimeScales>>,
     series: LawSeries,
     jacobian: Arc<dyn Differentiable>,
@@ -55,7 +55,7 @@ impl CompiledLaw {
         CompiledLaw::of(Arc::new(law))
     }
 
-    /// Compiles a law that others use too.
+    /// Compiles a shared law.
     pub fn of(law: Arc<dyn SymbolicLaw>) -> Self {
         CompiledLaw {
             rates: OnceLock::new(),
@@ -68,27 +68,28 @@ impl CompiledLaw {
         }
     }
 
-    /// The law with rates that are compiled already.
+    /// The law with rates that are already compiled.
     pub fn with_rates(self, rates: Program) -> Self {
         CompiledLaw { rates: OnceLock::from(Some(rates)), ..self }
     }
 
-    /// The law with series that are made otherwise.
+    /// The law with other Taylor series.
     pub fn with_series(self, series: LawSeries) -> Self {
         CompiledLaw { series, ..self }
     }
 
-    /// The law with derivatives that are found otherwise.
+    /// The law with another source of the Jacobian.
     pub fn with_jacobian(self, jacobian: Arc<dyn Differentiable>) -> Self {
         CompiledLaw { jacobian, ..self }
     }
 
-    /// The law with the flows of its pieces.
+    /// The law with flows for splitting methods.
     pub fn with_pieces(self, pieces: Arc<dyn Splittable>) -> Self {
         CompiledLaw { pieces: Some(pieces), ..self }
     }
 
-    /// The rates; `None` where an expression has no value, such as a division by zero: then every rate is NaN.
+    /// The program of the rates; `None` where an expression is undefined, such as a division by zero: then every rate
+    /// is NaN.
     #[inline]
     pub fn program(&self) -> Option<&Program> {
         self.rates.get_or_init(|| Program::of_law(&*self.law)).as_ref()
@@ -105,7 +106,7 @@ macro_rules! runs {
             #[inline]
             fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
                 match self.program() {
-                    // the program was made for a state of this length
+                    // the length of the state is correct by construction
                     Some(program) => program.run(t, y, dy).unwrap_or(()),
                     None => dy.fill(<$field>::from(f64::NAN)),
                 }

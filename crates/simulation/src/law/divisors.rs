@@ -1,4 +1,4 @@
-//! Divisors, radicands and angles of a law, as a program.
+//! Divisors, radicands and angles of a law as a program.
 
 use crate::law::program::Program;
 use integrators::Divisors;
@@ -6,10 +6,11 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU32, Ordering};
 use symbolic::Tape;
 
-/// Writing machine code takes as long as some hundreds of evaluations without it: a run with fewer steps has none.
+/// The number of evaluations after which machine code is generated: generating it costs as much as some hundreds of
+/// interpreted evaluations.
 const WRITTEN_AFTER: u32 = 500;
 
-/// The divisors, radicands and angles of a program, followed operation by operation until a run is long.
+/// The divisors, radicands and angles of a program, interpreted until a run is long.
 #[derive(Debug)]
 pub(super) struct DivisorProgram {
     tape: Tape,
@@ -20,7 +21,7 @@ pub(super) struct DivisorProgram {
 }
 
 impl DivisorProgram {
-    /// The divisors of a program; `None` where it divides by constants only and has neither roots nor angles.
+    /// The divisors of a program; `None` where it divides by constants only and has neither square roots nor angles.
     pub fn of(program: &Program) -> Option<Self> {
         let (tape, counts) = program.singular_places()?;
         Some(DivisorProgram {
@@ -47,7 +48,7 @@ impl Divisors for DivisorProgram {
     }
 
     fn at(&self, t: f64, y: &[f64], out: &mut [f64]) {
-        // the program was made for a state of this length
+        // the length of the state is correct by construction
         self.program().run(t, y, out).unwrap_or(());
     }
 }

@@ -1,50 +1,51 @@
-//! The arguments of exponentials in a law, and the longest steps of a series over them.
+//! The arguments of exponentials in a law, and the largest step sizes of Taylor series for them.
 //!
-//! exp(u) with u = -x/d underflows for x = 100 d, and so do all its terms; a step that takes x to zero goes where it is 1. The terms of
-//! exp(u) over a step h that changes u by D are those of e^u D^k/k!: after the order p they fall where D < p/2. A step is therefore short
-//! enough where
+//! For x = 100 d the function exp(u) with u = -x/d underflows, with all its Taylor terms; a step that takes x to zero
+//! ends where the function is 1. Over a step h that changes u by D the terms of exp(u) are those of e^u D^k/k!; beyond
+//! the order p they decrease if D < p/2. The step is therefore small enough if
 //!
 //!   D = sum_k |u_k| h^k <= p/2,  or  u + D is so small that exp(u) is below rounding all the way.
 //!
-//! The exponent of tanh x = 1 - 2/(1 + exp 2x) is u = -|2x|; next to 1 its derivative has few digits: D is at most 8 there.
+//! For tanh x = 1 - 2/(1 + exp 2x) the exponent is u = -|2x|. Near tanh x = 1 its derivative has few correct digits: D
+//! is at most 8 there.
 
 use field::Elementary;
 use series::{Equations, Recurrence};
 use std::collections::HashSet;
 use symbolic::{Derivation, Node, Sym, Tape, Untapeable};
 
-/// Logarithms below which exponentials are rounding, in `f64` and in double-double.
+/// Logarithms below which exponentials are negligible, in `f64` and in double-double.
 const NOTHING: [f64; 2] = [-40.0, -80.0];
 
-/// Below this argument an exponential has no digits.
+/// Below this argument an exponential underflows.
 const UNDERFLOWS: f64 = -690.0;
 
-/// The logarithm by which the few digits of a derivative of tanh may grow within a step.
+/// The largest change of the exponent within a step where the derivative of tanh has few digits.
 const DIGITS: f64 = 8.0;
 
-/// The part by which a step that is too long is shortened.
+/// The factor by which a too long step is shortened.
 const SHORTER: f64 = 0.7;
 
-/// The recurrence of a law, with the arguments of its exponentials behind the state.
+/// The Taylor recurrence of a law; the arguments of its exponentials follow the state.
 #[derive(Clone, Debug)]
 pub struct Expandable {
     pub recurrence: Recurrence,
     pub exponents: Option<Exponents>,
-    /// Whether roots or angles of the state occur in it.
+    /// Whether square roots or angles of the state occur.
     pub has_branches: bool,
 }
 
 /// The arguments u of exponentials.
 #[derive(Clone, Debug)]
 pub struct Exponents {
-    /// From the state, the time where the law depends on it, and the parameters.
+    /// Computes the arguments from the state, the time if the law depends on it, and the parameters.
     values: Tape,
     knows_time: bool,
     /// Whether each argument belongs to tanh.
     both_sides: Vec<bool>,
 }
 
-/// The values of exponents at a state, and registers for them.
+/// Buffers for the values of the arguments at a state.
 #[derive(Clone, Debug, Default)]
 pub struct Room {
     pub values: Vec<f64>,
@@ -55,7 +56,7 @@ impl Expandable {
     /// Records the recurrence of equations.
     ///
     /// # Errors
-    /// [`Untapeable`] where an expression has no series.
+    /// [`Untapeable`] where an expression has no Taylor series.
     pub fn record(equations: &Equations<'_>) -> Result<Self, Untapeable> {
         let solved = equations.solve.map(|solve| solve.expressions()).unwrap_or_default();
         let all = [equations.rates, &solved].concat();
@@ -94,16 +95,16 @@ impl Exponents {
         self.both_sides.len()
     }
 
-    /// The values of the arguments, from the state, the time and the parameters; nothing is allocated where there was
-    /// room before.
+    /// Computes the values of the arguments from the state, the time and the parameters. Allocates at the first call
+    /// only.
     pub fn evaluate(&self, room: &mut Room, state: impl Iterator<Item = f64>, time: f64, parameters: &[f64]) {
         room.values.resize(self.count(), f64::NAN);
         let inputs = state.chain(self.knows_time.then_some(time)).chain(parameters.iter().copied());
         self.values.evaluate_in(&mut room.registers, self.values.rounded(), inputs, &mut room.values);
     }
 
-    /// The longest step over which the exponentials show in terms up to an order, from the values of their arguments and the
-    /// terms of the arguments by number and order.
+    /// The largest step size for which the Taylor terms up to `order` represent the exponentials, from the values of
+    /// their arguments and `term(number, order)`, the Taylor coefficients of the arguments.
     pub fn longest(&self, values: &[f64], order: usize, is_finer: bool, term: impl Fn(usize, usize) -> f64) -> f64 {
         let mut longest = f64::INFINITY;
         for (place, (&value, &both_sides)) in values.iter().zip(&self.both_sides).enumerate() {
@@ -113,7 +114,7 @@ impl Exponents {
             let shown = if value < UNDERFLOWS { 0.0 } else { shown };
             let allowed = shown.max(NOTHING[usize::from(is_finer)] - value);
             let size = |k: usize| term(place, k).abs();
-            // no longer than where one term alone is as large
+            // no longer than where a single term reaches the bound
             let mut step = longest;
             for k in (1..=order).filter(|k| size(*k) > 0.0) {
                 step = step.min((allowed / size(k)).powf(1.0 / k as f64));
@@ -128,7 +129,7 @@ impl Exponents {
     }
 }
 
-/// Whether a root or an angle of letters occurs in expressions.
+/// Whether a square root or an angle of symbols occurs in the expressions.
 fn has_branches(roots: &[Sym]) -> bool {
     let (mut open, mut seen) = (roots.to_vec(), HashSet::new());
     while let Some(each) = open.pop() {
@@ -141,7 +142,7 @@ fn has_branches(roots: &[Sym]) -> bool {
     false
 }
 
-/// The arguments of exponentials, and twice those of tanh, marked as having both sides.
+/// The arguments of exponentials, and twice those of tanh, with a mark for tanh.
 fn exponents_of(roots: &[Sym]) -> Vec<(Sym, bool)> {
     let (mut open, mut seen, mut found) = (roots.to_vec(), HashSet::new(), Vec::new());
     while let Some(each) = open.pop() {

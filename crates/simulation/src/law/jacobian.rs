@@ -1,5 +1,5 @@
-//! The Jacobian of a law for the implicit methods: as straight-line code, or, where this is shorter, by the law's differential in several
-//! directions at once.
+//! The Jacobian of a law: as straight-line code, or, for long laws, by directional derivatives in several directions at
+//! once.
 
 use crate::law::compiled_law::{Differentiable, SymbolicLaw};
 use crate::law::directions::DirectionalProgram;
@@ -9,30 +9,32 @@ use native::Code;
 use std::sync::{Arc, OnceLock};
 use symbolic::{Program, Sym, Tape};
 
-/// The number of parts of the longest law whose derivatives are written one by one. Measured on chains of links, ns of a Jacobian and ms
-/// until it is ready, written and by directions: 5 links in a plane (431 parts) 430 and 570, 15 and 6; 7 in a plane (665) 1,430 and 900, 27
-/// and 8; 5 in space (879) 1,790 and 920, 32 and 14; 10 in space (2,635) 8,310 and 5,000, 168 and 25.
+/// The largest number of operations of a law whose derivatives are compiled to straight-line code. Measured for chains
+/// of links, in ns per Jacobian and ms of preparation, straight-line against directional: 5 links in a plane (431
+/// operations) 430 and 570 ns, 15 and 6 ms; 7 in a plane (665) 1,430 and 900, 27 and 8; 5 in space (879) 1,790 and 920,
+/// 32 and 14; 10 in space (2,635) 8,310 and 5,000, 168 and 25.
 const LONGEST_WRITTEN: usize = 600;
 
-/// The derivatives of a law by state and time: its expressions, differentiated exactly.
+/// The derivatives of a law by state and time, from exact symbolic differentiation.
 pub struct JacobianProgram {
     law: Arc<dyn SymbolicLaw>,
     directional: DirectionalProgram,
-    /// Decided when first needed.
+    /// Selected when first needed.
     form: OnceLock<Form>,
 }
 
 enum Form {
-    /// df_i / dy_j, row after row, and df_i / dt. `None` where they cannot be recorded: then the law is run over dual numbers.
+    /// df_i / dy_j, row by row, and df_i / dt. `None` where they cannot be recorded: the law is then evaluated over
+    /// dual numbers.
     Written(Option<Box<[Line; 2]>>),
     Directional,
 }
 
-/// Straight-line code of a state and the time, of any length.
+/// Straight-line code with the state and the time as inputs.
 #[derive(Debug)]
 struct Line {
     tape: Tape,
-    /// `None` where there is no code generator for this machine: then the tape is followed.
+    /// `None` where there is no code generator for this machine: the tape is then interpreted.
     code: Option<Code>,
 }
 
@@ -106,10 +108,10 @@ impl JacobianFn for Lines<'_> {
     }
 }
 
-/// A line in the form in which it runs.
+/// A line in the form in which it is evaluated.
 enum Running<'a> {
     Code(&'a Code),
-    /// With room for the inputs.
+    /// Interpreted, with a buffer for the inputs.
     Followed(Program<'a, f64>, Vec<f64>),
 }
 
@@ -125,7 +127,7 @@ impl<'a> From<&'a Line> for Running<'a> {
 impl Running<'_> {
     fn run(&mut self, t: f64, y: &[f64], values: &mut [f64]) {
         match self {
-            // the code was made for a state of this length
+            // the length of the state is correct by construction
             Running::Code(code) => code.run(y, t, values).unwrap_or(()),
             Running::Followed(program, inputs) => {
                 inputs.iter_mut().zip(y.iter().chain([&t])).for_each(|(input, given)| *input = *given);

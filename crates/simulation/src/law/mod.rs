@@ -1,4 +1,4 @@
-//! A law as programs: every form that a method needs, from one law over expressions.
+//! Compilation of a symbolic law to programs: rates, Jacobian, Taylor series, divisors.
 
 mod compiled_dae;
 mod compiled_law;

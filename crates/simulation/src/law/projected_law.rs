@@ -1,4 +1,4 @@
-//! A law whose runs are projected onto the constraints and integrals of its motions.
+//! A law whose runs are projected onto its constraints and integrals of motion.
 
 use crate::law::compiled_law::Law;
 use field::DoubleDouble;
@@ -7,14 +7,14 @@ use integrators::{
 };
 use std::sync::Arc;
 
-/// A law with the projection onto the constraints and integrals of its motions.
+/// A law with a projection onto its constraints and integrals of motion.
 pub struct ProjectedLaw {
     law: Arc<dyn Law>,
     projection: Arc<dyn Projection<f64> + Send + Sync>,
 }
 
 impl ProjectedLaw {
-    /// A law whose state begins with that of the projection.
+    /// A law with a projection. The state of the law begins with the components that are projected.
     pub fn new(law: Arc<dyn Law>, projection: Arc<dyn Projection<f64> + Send + Sync>) -> Self {
         ProjectedLaw { law, projection }
     }

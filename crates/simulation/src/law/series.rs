@@ -1,4 +1,4 @@
-//! The Taylor series of a law's solutions, for the Taylor method.
+//! Taylor series of the solutions of a law, for Taylor's method.
 
 use crate::law::compiled_law::SymbolicLaw;
 use crate::law::exponents::{Expandable, Room};
@@ -9,10 +9,10 @@ use series::{Equations, Expansion, Fused};
 use std::fmt;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// The recurrence of a law's right-hand side, with the data of the law as exact constants.
+/// The Taylor recurrence of the right-hand side of a law, with the data of the law as exact constants.
 pub struct LawSeries {
     record: Box<Record>,
-    /// Made when first needed; `None` where a law cannot be recorded: then there is no Taylor method.
+    /// Recorded when first needed; `None` where the law has no Taylor recurrence: Taylor's method is then unavailable.
     recurrence: OnceLock<Option<Expandable>>,
     spare: Spare<f64, WIDTH>,
     directed: Spare<Variations, 1>,
@@ -27,7 +27,7 @@ impl fmt::Debug for LawSeries {
 
 type Record = dyn Fn() -> Option<Expandable> + Send + Sync;
 
-/// Expansions that earlier runs have laid out.
+/// Buffers of expansions of earlier runs, for reuse.
 type Spare<S, const W: usize> = Mutex<Vec<Expansion<S, W, FEW>>>;
 
 impl LawSeries {
@@ -36,7 +36,7 @@ impl LawSeries {
         LawSeries::by(move || LawSeries::written(&*law))
     }
 
-    /// The recurrence of a law as its rates are written; none where they have no series.
+    /// The Taylor recurrence of the expressions of the rates; `None` where they have no Taylor series.
     pub fn written(law: &dyn SymbolicLaw) -> Option<Expandable> {
         traced(law, |TracedOde { state, time, rates }| {
             let moves = rates.iter().any(|rate| rate.symbols_of().contains(time));
@@ -45,7 +45,7 @@ impl LawSeries {
         })
     }
 
-    /// The series of a recurrence that `record` makes.
+    /// The Taylor series by a recurrence that `record` computes.
     pub fn by(record: impl Fn() -> Option<Expandable> + Send + Sync + 'static) -> Self {
         LawSeries {
             record: Box::new(record),
@@ -56,17 +56,17 @@ impl LawSeries {
         }
     }
 
-    /// The coefficients in `f64`.
+    /// The Taylor series in `f64`.
     pub fn plain(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
         self.kept(&self.spare)
     }
 
-    /// The coefficients with their derivatives in eight directions.
+    /// The Taylor series with derivatives in eight directions.
     pub fn directed(&self) -> Option<Box<dyn TaylorSeries<Variations> + '_>> {
         self.kept(&self.directed)
     }
 
-    /// The coefficients in double-double.
+    /// The Taylor series in double-double.
     pub fn exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
         self.kept(&self.finer)
     }
@@ -75,7 +75,7 @@ impl LawSeries {
         self.recurrence.get_or_init(|| (self.record)()).as_ref()
     }
 
-    /// An expansion that is handed from run to run, where it is of usual size.
+    /// An expansion whose buffers are reused between runs, if its size is usual.
     fn kept<'a, S: Fused, const W: usize>(&'a self, spare: &'a Spare<S, W>) -> Option<Box<dyn TaylorSeries<S> + 'a>> {
         match self.recurrence() {
             Some(law) if law.recurrence.columns::<W>() <= FEW => {
@@ -95,19 +95,19 @@ impl LawSeries {
     }
 }
 
-/// The number of quantities side by side: eight `f64` fill the widest registers; a field that fills them by itself has
-/// one.
+/// The number of quantities computed together: eight `f64` fill the widest SIMD registers; scalar types that fill a
+/// register have one.
 const WIDTH: usize = 8;
 
-/// The numbers of columns: for usual systems, which then stay near the processor, and for the largest.
+/// The largest numbers of columns: for usual systems, which then fit into the cache, and for the largest systems.
 const FEW: usize = 256;
 const MANY: usize = 1 << 16;
 
-/// The series of a recurrence, with room made for the order that is asked for.
+/// The Taylor series by a recurrence, with buffers for the requested order.
 struct Series<'a, S: Fused, const W: usize, const N: usize> {
     law: &'a Expandable,
     expansion: Option<Expansion<S, W, N>>,
-    /// The arguments of exponentials, and the state with room for their series behind it.
+    /// The values of the arguments of exponentials, and the state followed by buffers for their series.
     exponents: Room,
     extended: Vec<S>,
 }
@@ -158,7 +158,7 @@ impl<S: Fused, const W: usize, const N: usize> TaylorSeries<S> for Series<'_, S,
     }
 }
 
-/// A series whose room goes from run to run.
+/// A Taylor series whose buffers are reused between runs.
 struct Kept<'a, S: Fused, const W: usize> {
     series: Series<'a, S, W, FEW>,
     spare: &'a Spare<S, W>,

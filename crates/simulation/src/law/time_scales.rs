@@ -1,8 +1,9 @@
-//! Times about which functions of the time alone change fast, so that no step passes over them.
+//! Time intervals in which functions of the time alone change rapidly, so that no step misses them.
 //!
-//! Each function is enclosed over the whole run, and over halves of wide cells, until it changes by no more than a part of its range in any
-//! cell: the lengths of the cells are its time scale. Enclosures hold all values: no pulse is too short to be found. A function that
-//! oscillates all the time has equal cells, and bounds nothing: error estimates see it.
+//! Each function is enclosed by interval arithmetic over the whole run, and over halves of wide cells, until it changes
+//! within each cell by at most a fraction of its range: the lengths of the cells are its time scale. Enclosures contain
+//! all values, hence no pulse is missed however short. A function that oscillates throughout has equal cells and gives
+//! no bound: error estimates detect it.
 
 use crate::law::program::Program;
 use field::Interval;
@@ -12,45 +13,46 @@ use std::collections::BinaryHeap;
 use std::sync::{Arc, Mutex, PoisonError};
 use symbolic::Tape;
 
-/// The part of a function's range by which it may change within a cell.
+/// The fraction of a function's range by which it may change within a cell.
 const PART: f64 = 0.25;
 
-/// Functions that are looked at, and enclosures of each.
+/// The largest number of functions, and of enclosures of each.
 const MOST_FUNCTIONS: usize = 24;
 const MOST_ENCLOSURES: usize = 6_000;
 
-/// Halvings after which a cell is not divided.
+/// The largest number of halvings of a cell.
 const MOST_HALVINGS: u32 = 40;
 
-/// Halvings after which a cell is not divided at whose ends the function has no value.
+/// The largest number of halvings of a cell at whose ends the function is undefined.
 const LOOKED_FOR_VALUES: u32 = 6;
 
-/// At so many cells it is asked whether the function changes in cells that are half of the way: then it swings all the time.
+/// At this number of cells the function is checked: if cells that cover half of the run are short, it oscillates
+/// throughout.
 const LOOKED_AT: usize = 64;
 
-/// Cells are short where they are at most this part of the run.
+/// A cell is short if it is at most this fraction of the run.
 const SHORT: f64 = 1.0 / 32.0;
 
-/// Cells are found with steps that had no reason to be short where none of their length lies in so many lengths before them, or in so many
-/// from the start on.
+/// The steps of a method need a bound for short cells only if the function was quiet before: no cell as short lies
+/// within so many of its lengths before it, nor all the way from the start.
 const QUIET: f64 = 24.0;
 const QUIET_AT_START: f64 = 8.0;
 
-/// The lengths of a cell over which steps are bounded, and the longest step.
+/// The distance in cell lengths over which steps are bounded, and the largest step there.
 const BOUNDED: f64 = 16.0;
 const LONGEST: f64 = 2.0;
 
-/// Ways shorter than this part of the time are not looked at: roundings of the time would be seen as changes.
+/// A run shorter than this fraction of its time is not examined: rounding of the time would appear as changes.
 const LEAST_WAY: f64 = 1e-7;
 
-/// The functions of the time alone in a program, and where they have been found to change fast.
+/// The functions of the time alone in a program, and the bounds found so far.
 #[derive(Debug)]
 pub struct TimeScales {
     functions: Vec<Tape>,
     known: Mutex<Option<Known>>,
 }
 
-/// The path of a run in time, with the bounds found on it.
+/// The time interval of a run, with the bounds found on it.
 #[derive(Debug)]
 struct Known {
     from: f64,
@@ -59,14 +61,14 @@ struct Known {
 }
 
 impl TimeScales {
-    /// `None` for a program that depends on the time only through linear functions.
+    /// The functions of a program; `None` if it depends on the time through linear functions only.
     pub fn of(program: &Program) -> Option<Self> {
         let mut functions = program.parts_of_time();
         functions.truncate(MOST_FUNCTIONS);
         (!functions.is_empty()).then(|| TimeScales { functions, known: Mutex::new(None) })
     }
 
-    /// The bounds of steps from one time to another.
+    /// The bounds of the step size for a run from one time to another (s).
     pub fn bounds(&self, from: f64, to: f64) -> StepBounds {
         if (to - from).abs() <= LEAST_WAY * from.abs().max(to.abs()) {
             return StepBounds::default();
@@ -89,13 +91,13 @@ impl TimeScales {
     }
 }
 
-/// A part of the run, in whose direction it goes from 0 to 1, with the range of the function over it.
+/// A part of a run, whose time is scaled to the interval from 0 to 1, with the range of the function.
 #[derive(Clone, Copy, Debug)]
 struct Cell {
     begin: f64,
     halvings: u32,
     width: f64,
-    /// The values at both ends.
+    /// The values of the function at both ends.
     ends: [f64; 2],
 }
 
@@ -119,7 +121,7 @@ impl PartialOrd for Cell {
     }
 }
 
-/// The widest first, of these the longest.
+/// Orders cells by width, then by length, for a priority queue.
 impl Ord for Cell {
     fn cmp(&self, other: &Self) -> Ordering {
         self.width
@@ -129,7 +131,7 @@ impl Ord for Cell {
     }
 }
 
-/// The intervals of time on which a function changes fast.
+/// The time intervals in which a function changes rapidly.
 fn hastes(function: &Tape, from: f64, to: f64) -> Vec<FastInterval> {
     let at = |part: f64| from + (to - from) * part;
     let cells = cells(|a, b| function.range_over_last_input(Interval::new(at(a), at(b))));
@@ -142,16 +144,16 @@ fn hastes(function: &Tape, from: f64, to: f64) -> Vec<FastInterval> {
     stretches(&cells).into_iter().map(bounded).collect()
 }
 
-/// The cells of a function on the way from 0 to 1, in order; none of one that swings all the time.
+/// The cells of a function on the interval from 0 to 1, in order; none for a function that oscillates throughout.
 fn cells(range: impl Fn(f64, f64) -> Interval) -> Vec<Cell> {
     let value =
         |at: f64| Some(range(at, at)).filter(|value| value.size().is_finite()).map_or(f64::NAN, Interval::middle);
     let cell = |begin: f64, halvings: u32, ends: [f64; 2]| {
         let mut cell = Cell { begin, halvings, width: 0.0, ends };
         let over = range(begin, begin + cell.length());
-        // an exponential may be beyond every number over a part of the way, where a condition has long chosen another law
+        // an exponential may overflow on a part of the interval where a condition selects another formula
         let has_no_value = halvings >= LOOKED_FOR_VALUES && ends.iter().all(|end| end.is_nan());
-        // a cell that is not divided any more holds a jump, or no value
+        // a cell at the largest number of halvings contains a jump or an undefined value
         cell.width = if halvings < MOST_HALVINGS && !has_no_value { over.width() } else { 0.0 };
         cell
     };
@@ -189,7 +191,7 @@ fn wider(spread: Option<[f64; 2]>, value: &f64) -> Option<[f64; 2]> {
     Some(spread.map_or([*value; 2], |[least, most]| [least.min(*value), most.max(*value)]))
 }
 
-/// Where cells as short as a length begin after a time without such, where these end, and the length.
+/// Where cells of some length begin after an interval without such cells, where they end, and their length.
 fn stretches(cells: &[Cell]) -> Vec<(f64, f64, f64)> {
     let mut levels: Vec<u32> = cells.iter().map(|cell| cell.halvings).collect();
     levels.sort_unstable();
@@ -264,7 +266,7 @@ mod tests {
 
     #[test]
     fn each_pulse_of_a_train_and_a_front_are_found() {
-        // sin(t)^256 has pulses of a tenth about odd multiples of pi/2
+        // sin(t)^256 has pulses of width 0.1 at odd multiples of pi/2
         let train = scales(|t| (0..8).fold(t.circle().sin, |power, _| power.squared())).expect("a function of time");
         let bounds = train.bounds(0.0, 100.0);
         for pulse in 0..31 {
@@ -283,7 +285,7 @@ mod tests {
         assert!(bounds.longest(0.0, 10.0) < 7.0 && bounds.longest(7.0, 3.0) < 4e-3);
     }
 
-    /// exp(u)/(1 + exp(2 u)) is a pulse about u = 0, and no number of it is known for u > 709.
+    /// exp(u)/(1 + exp(2 u)) is a pulse at u = 0; its evaluation overflows for u > 709.
     #[test]
     fn a_pulse_before_a_part_without_values_is_found() {
         let pulse = |t: Sym| {

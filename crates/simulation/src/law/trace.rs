@@ -1,9 +1,9 @@
-//! A law as expressions of its state and time.
+//! A law as symbolic expressions of its state and time.
 
 use integrators::Ode;
 use symbolic::{Sym, apart};
 
-/// Symbols for state and time, and the rates.
+/// The symbols of state and time, and the rates as expressions.
 #[derive(Clone, Debug)]
 pub struct TracedOde {
     pub state: Vec<Sym>,
@@ -11,7 +11,7 @@ pub struct TracedOde {
     pub rates: Vec<Sym>,
 }
 
-/// Reads a law that is written down apart from all other expressions: independent of earlier ones.
+/// Evaluates a law symbolically and passes the result to `read`, in a separate expression store.
 pub fn traced<R: Send>(law: &(impl Ode<Sym> + Sync + ?Sized), read: impl FnOnce(&TracedOde) -> R + Send) -> R {
     apart(|| {
         let (state, time) = symbols(law.dimension());
@@ -21,7 +21,7 @@ pub fn traced<R: Send>(law: &(impl Ode<Sym> + Sync + ?Sized), read: impl FnOnce(
     })
 }
 
-/// Symbols of so many states, and of the time.
+/// The symbols of `states` states, and of the time.
 pub(crate) fn symbols(states: usize) -> (Vec<Sym>, Sym) {
     ((0..states).map(|i| Sym::symbol(&format!("y{i}"))).collect(), Sym::symbol("t"))
 }

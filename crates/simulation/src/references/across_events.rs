@@ -1,11 +1,11 @@
-//! A motion across events to all digits, by two methods.
+//! Reference solutions across events, by two methods that agree.
 //!
-//! A run in `f64` gives the laws and, to its digits, the times of their changes. Each law is smooth, also beyond its end. Two
-//! methods of
-//! different families follow the laws in double-double, each on its own: an event is the zero of its signal, found by Newton's method
-//! on the instant. Times have two parts as well (`flow`).
+//! A run in `f64` gives the sequence of laws and, approximately, the times of their changes. Each law is smooth, also
+//! beyond its end. Two methods of different families then integrate the laws in double-double, independently: the time
+//! of an event is the zero of its signal, located by Newton's method, as a double-double number (`flow`).
 //!
-//! The run decides once which law goes on. An event that is decided by a tie has no more digits than the tie.
+//! The sequence of laws is that of the run in `f64`. An event that is decided by a tie is determined only to the
+//! accuracy of the tie.
 
 use super::INSTANTS;
 use super::flow::Means;
@@ -14,46 +14,46 @@ use integrators::{ENOUGH_DIGITS, Failure, Method, Reference, Span, Work, differe
 use std::fmt;
 use std::time::{Duration, Instant};
 
-/// A motion across its events.
+/// A reference solution across events.
 #[derive(Clone, Debug)]
 pub struct Exact {
-    /// At instants up to the end, or to shortly before an earlier one.
+    /// The states at output times up to the end, or to shortly before an earlier end of the motion.
     pub reference: Reference,
     pub events: Vec<Event>,
 }
 
-/// An event to all digits.
+/// An event with the accuracy of the reference.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event {
     pub time: DoubleDouble,
-    /// The state as it is integrated; the places alone where velocities have no bound.
+    /// The state after integration; only the coordinates where velocities are unbounded.
     pub state: Vec<DoubleDouble>,
     pub what: String,
-    /// The regime that goes on; empty at an end.
+    /// The subsequent regime; empty at an end.
     pub regime: String,
 }
 
 impl Event {
-    /// The instant with so many places behind the point.
+    /// The time of the event (s) with `places` decimal places.
     pub fn instant(&self, places: usize) -> String {
         decimal(self.time, places).unwrap_or_default()
     }
 }
 
-/// Why a motion is not known to all digits.
+/// The reason why there is no reference.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unknown {
-    /// The run does not begin, or ends by a state that no signal shows; in words.
+    /// The run does not begin, or ends in a state that no signal indicates; the text gives the reason.
     Ends(String),
-    /// Two methods share fewer digits than a reference needs.
+    /// The two methods agree on fewer digits than a reference needs.
     FewDigits {
         digits: f64,
     },
-    /// Bounces without end are taken for ended.
+    /// A sequence of infinitely many bounces, which a run treats as ended.
     LastBounce {
         time: f64,
     },
-    /// An event there has no signal that falls through zero.
+    /// An event at that time has no signal that falls through zero.
     Blunt {
         time: f64,
     },
@@ -90,25 +90,26 @@ impl From<Failure> for Unknown {
     }
 }
 
-/// Two methods of different families. With more stages Gauss' steps are longer than its error estimate judges well: where a rod
-/// straightens they changed a conserved quantity, 2e-15, by 1e-28 with 12 stages and by 1e-24 with 16; with 8 by 4e-31.
+/// Two methods of different families. With more stages the steps of Gauss' method become too long for its error
+/// estimate: where a rod straightens, a conserved quantity of 2e-15 changed by 1e-28 with 12 stages, by 1e-24 with 16,
+/// and by 4e-31 with 8.
 const METHODS: [Method; 2] = [Method::Gauss { stages: 8 }, Method::GraggBulirschStoer];
 
-/// A time and the state at it.
+/// A time and the state then.
 pub type At = (DoubleDouble, Vec<DoubleDouble>);
 
-/// The motion as one method found it.
+/// The motion as computed by one method.
 pub struct Followed {
-    /// The states at the instants.
+    /// The states at the output times.
     pub states: Vec<Vec<DoubleDouble>>,
-    /// The states at the events, and at an end before the span's. Where velocities grow without bound the places alone.
+    /// The states at the events, and at an early end; only the coordinates where velocities grow without bound.
     pub events: Vec<At>,
 }
 
-/// The motion on which two methods agree, and each event in words: the event, and the law that goes on.
+/// The motion on which two methods agree. `words` gives two texts for each event: the event, and the subsequent law.
 ///
 /// # Errors
-/// Where a method does not follow the motion.
+/// [`Unknown`] where a method fails, or the two do not agree.
 pub fn agreed(
     times: Vec<f64>,
     sizes: Vec<f64>,
@@ -131,13 +132,13 @@ pub fn agreed(
     Ok(Exact { reference: Reference { times, states: first.states, digits, sizes, methods: METHODS, work }, events })
 }
 
-/// Equidistant instants of a run: to its end, or to shortly before an earlier one.
+/// Equidistant output times of a run (s), up to its end, or to shortly before an earlier end of the motion.
 pub fn instants(start: &[f64], time: f64, is_whole: bool) -> Vec<f64> {
     let horizon = if is_whole { time } else { rounded_down(time) };
     Span::<f64>::new(0.0, horizon, start).with_even_outputs(INSTANTS).outputs
 }
 
-/// The largest relative difference, of states and of times.
+/// The largest relative difference of states and times.
 fn apart(one: &Followed, other: &Followed, sizes: &[f64]) -> f64 {
     let states = |of: &Followed| -> Vec<Vec<DoubleDouble>> {
         of.states.iter().chain(of.events.iter().map(|(_, state)| state)).cloned().collect()
@@ -146,10 +147,10 @@ fn apart(one: &Followed, other: &Followed, sizes: &[f64]) -> f64 {
     times.fold(difference(&states(one), &states(other), sizes), f64::max)
 }
 
-/// A number of two digits below: the last instant that is compared before a motion ends.
+/// The time rounded down to two digits: the last output time before a motion ends.
 fn rounded_down(time: f64) -> f64 {
     let unit = 10.0_f64.powf(time.log10().floor() - 1.0);
     let below = (time / unit).floor();
-    // short numbers are written shortly
+    // the shortest decimal form
     format!("{:.12e}", below * unit).parse().unwrap_or(below * unit)
 }

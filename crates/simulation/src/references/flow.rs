@@ -1,10 +1,10 @@
-//! The flow of a law between two times that are known to more digits than an `f64` has.
+//! The flow of a law between two times in double-double.
 
 use field::{DoubleDouble, Over};
 use integrators::{Dual8, Failure, Method, Ode, Span, StepBounds, System, TIGHTEST, Tolerance, Work, integrate_in};
 use std::time::Instant;
 
-/// y' = L f(t + s L, y) for s from 0 to 1: a law over an interval of time.
+/// The law y' = L f(t + s L, y) for s from 0 to 1, which integrates f over the time interval L.
 struct Paced<'a, L> {
     law: &'a L,
     bounds: StepBounds,
@@ -12,7 +12,7 @@ struct Paced<'a, L> {
     length: DoubleDouble,
 }
 
-/// A number of two parts in any field: rounded where that is no finer.
+/// A double-double number in any scalar type, rounded if necessary.
 fn lifted<S: Over<f64>>(number: DoubleDouble) -> S {
     S::lift(number.hi()) + S::lift(number.lo())
 }
@@ -35,20 +35,21 @@ impl<L: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble>> System for Paced<'_, L> {
     }
 }
 
-/// A method with its tolerance, and its cost so far.
+/// A method with its tolerance, and its work so far.
 pub struct Means {
     pub method: Method,
-    /// The sizes of a state's components.
+    /// The size of each component of the state.
     pub sizes: Vec<f64>,
     pub deadline: Instant,
     pub work: Work,
 }
 
 impl Means {
-    /// The state at `to` of the motion that is in `y` at `from`; the bounds of its steps belong to this way.
+    /// The state at the time `to` of the motion with the state `y` at the time `from`. `bounds` are the bounds of the
+    /// step size over this interval.
     ///
     /// # Errors
-    /// Why the method stopped.
+    /// [`Failure`] where the method fails.
     pub fn flow<L>(
         &mut self,
         (law, bounds): (&L, &StepBounds),
@@ -67,11 +68,11 @@ impl Means {
         found.map_err(|failure| failure.in_time(from.hi(), length.hi()))
     }
 
-    /// The state at a time of a law that begins at zero. Components beyond the motion's own stand last, and bring their own
-    /// sizes.
+    /// The state at the time `end` of a motion that begins at zero. Further components may follow those of the motion;
+    /// `others` has their sizes.
     ///
     /// # Errors
-    /// Why the method stopped.
+    /// [`Failure`] where the method fails.
     pub fn run(
         &mut self,
         system: &dyn System,

@@ -1,4 +1,4 @@
-//! Motions to all digits, by two methods that agree: of one law, across events, and kept in files.
+//! Reference solutions in double-double, by two methods that agree: of one law, across events, and stored in files.
 
 mod across_events;
 mod flow;
@@ -12,15 +12,15 @@ use crate::Problem;
 use integrators::{Failure, Reference, Span, reference};
 use std::time::{Duration, Instant};
 
-/// The number of times, beside the start, at which motions are compared: few, for landing on them costs every method
-/// steps.
+/// The number of output times, besides the start, at which motions are compared. It is small, since steps in
+/// double-double must end at outputs.
 pub(crate) const INSTANTS: usize = 8;
 
 impl Problem {
-    /// The reference solution against which errors are measured. It is not timed: those of many problems may be
-    /// computed at once.
+    /// The reference solution for measuring errors. It is not timed, so that several can be computed in parallel.
     ///
     /// # Errors
+    /// [`Failure`] where a method fails, or the two do not agree.
     /// Where a method stopped, or the two do not agree.
     pub fn reference(&self, allowed: Duration) -> Result<Reference, Failure> {
         reference(&*self.law, &self.instants().with_deadline(Instant::now() + allowed))

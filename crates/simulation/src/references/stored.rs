@@ -1,4 +1,4 @@
-//! References stored in files: the digits, the methods, and the data that show whose they are.
+//! References stored in files: the digits, the methods, and data that identify the problem.
 
 use super::across_events::Event;
 use crate::{Problem, methods};
@@ -8,31 +8,30 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use toml::{Table, Value};
 
-/// The largest difference, relative to their sizes, between the rates of a law and the stored ones of the same law. Other
-/// data, by the last bit of an `f64`, are off by 1e-16; the same law, summed in another order, by rounding in
-/// double-double.
+/// The largest relative difference between the rates of a law and the stored rates of an equal law. A change of the
+/// data by the last bit of an `f64` gives 1e-16; another order of summation in the law gives rounding in double-double.
 const SAME_LAW: f64 = 1e-20;
 
-/// The digits with which rates are kept.
+/// The number of digits of the stored rates.
 const RATE_DIGITS: f64 = 28.0;
 
-/// A reference with data that show whose it is.
+/// A reference with data that identify its problem.
 #[derive(Clone, Debug)]
 pub struct Stored {
     pub reference: Reference,
     /// The initial state.
     start: Vec<f64>,
-    /// y' summed over the instants: another law, or other data, would give other sums.
+    /// The rates y' summed over the output times, which identify law and data.
     rates: Vec<DoubleDouble>,
-    /// The events, of a motion across events.
+    /// The events of a motion across events.
     pub events: Vec<Event>,
 }
 
-/// The owner of a reference: a start, and a law that holds at each instant.
+/// The problem of a reference: an initial state, and the rates at each output time.
 pub trait Owner {
     fn start(&self) -> &[f64];
 
-    /// y' at an instant.
+    /// Writes the rates y' at a time.
     fn rates_at(&self, time: f64, state: &[DoubleDouble], rates: &mut [DoubleDouble]);
 }
 
@@ -54,7 +53,7 @@ pub fn place(scene: &Path) -> PathBuf {
 }
 
 impl Stored {
-    /// A motion's reference, with its events, for storing: all numbers are rounded as they are written.
+    /// The reference of a motion with its events, for storing; numbers are rounded as in the file.
     pub fn of(owner: &dyn Owner, reference: Reference, events: Vec<Event>) -> Self {
         let reference = Reference { digits: (reference.digits * 10.0).floor() / 10.0, ..reference };
         let Reference { sizes, digits, .. } = &reference;
@@ -72,17 +71,17 @@ impl Stored {
         Stored { reference, start: owner.start().to_vec(), rates, events }
     }
 
-    /// The reference stored beside a scene file; `None` where none is readable.
+    /// The reference stored for a scene file; `None` where none can be read.
     pub fn beside(scene: &Path) -> Option<Self> {
         Self::read(&std::fs::read_to_string(place(scene)).ok()?).ok()
     }
 
-    /// Whether it is the reference of this problem, to its end.
+    /// Whether this is the reference of a problem, with an equal span.
     pub fn serves(&self, problem: &Problem) -> bool {
         self.reference.times.last() == Some(&problem.span) && self.belongs_to(problem)
     }
 
-    /// Whether it is the reference of this owner: by its start, and its law at all instants.
+    /// Whether this is the reference of a problem, by its initial state and its rates at all output times.
     pub fn belongs_to(&self, owner: &dyn Owner) -> bool {
         if self.start != owner.start() {
             return false;
@@ -92,8 +91,8 @@ impl Stored {
         now.sums.len() == self.rates.len() && now.sums.iter().zip(&self.rates).zip(now.sizes()).all(same)
     }
 
-    /// The reference as text. Every number has one digit more than both methods gave: rounding takes nothing from
-    /// these.
+    /// The reference as text. Every number has one digit more than the digits of agreement, so that rounding loses
+    /// none.
     pub fn write(&self, scene: &str) -> String {
         let Reference { times, states, digits, sizes, methods: [one, other], work } = &self.reference;
         let mut text = format!(
@@ -135,7 +134,10 @@ impl Stored {
         text
     }
 
-    /// Reads a reference from text; otherwise the error.
+    /// Reads a reference from text.
+    ///
+    /// # Errors
+    /// The fault, as text.
     pub fn read(text: &str) -> Result<Self, String> {
         let table: Table = text.parse().map_err(|error: toml::de::Error| error.message().to_owned())?;
         let digits = table.get("digits").and_then(Value::as_float).ok_or("`digits` is no number")?;
@@ -171,7 +173,7 @@ impl Stored {
     }
 }
 
-/// A number with so many digits, counted from the size of its component, and one more.
+/// A number to one more than `digits` significant digits relative to the size of its component.
 pub fn decimals(number: DoubleDouble, size: f64, digits: f64) -> String {
     let places = (digits + 1.0 - size.log10()).ceil().clamp(0.0, 60.0) as usize;
     decimal(number, places).unwrap_or_default()
@@ -186,7 +188,7 @@ fn pair<T>(table: &Table, key: &str, one: impl Fn(&Value) -> Option<T>) -> Resul
     list(table, key, one)?.try_into().map_err(|_| format!("`{key}` needs two entries"))
 }
 
-/// y' summed over the instants of a reference, and the sums of its magnitudes.
+/// The rates y' summed over the output times of a reference, and the sums of their magnitudes.
 struct Rates {
     sums: Vec<DoubleDouble>,
     magnitudes: Vec<f64>,
@@ -205,8 +207,8 @@ impl Rates {
         rates
     }
 
-    /// The sizes to which differences of components are relative: for a component that stays zero, a part of the
-    /// largest.
+    /// The sizes to which differences of components are relative; for a component that stays zero, a fraction of the
+    /// largest size.
     fn sizes(&self) -> impl Iterator<Item = f64> {
         let largest = self.magnitudes.iter().copied().fold(0.0, f64::max);
         self.magnitudes.iter().map(move |size| size.max(1e-9 * largest))

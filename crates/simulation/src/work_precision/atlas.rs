@@ -1,4 +1,4 @@
-//! The runs of all formulations of a scene with all methods, their errors, work and times.
+//! Work-precision results of a scene: runs of all formulations by all methods, with errors, work and times.
 
 use super::configuration::{Configuration, Standing, Treated};
 use super::measured::Trials;
@@ -6,14 +6,14 @@ use crate::problem::Row;
 use integrators::{Attempt, Benchmark, Method, Point, Record, Reference, Timed, Tolerance, judge, measure};
 use std::time::{Duration, Instant};
 
-/// A quantity that is compared, with its size along the motion.
+/// A quantity that is compared between configurations, with its size along the motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observed {
     pub name: String,
     pub size: f64,
 }
 
-/// The exact motion in the quantities that are compared.
+/// The exact motion, in the compared quantities.
 #[derive(Clone, Debug)]
 pub struct Goal {
     pub observed: Vec<Observed>,
@@ -22,7 +22,7 @@ pub struct Goal {
 }
 
 impl Goal {
-    /// The goal by a reference of the scene's own problem, whose rows have these columns.
+    /// The exact motion from a reference of the scene's own problem, whose rows have these columns.
     pub fn of(columns: &[String], shown: &Row, reference: &Reference, observed: Vec<Observed>) -> Self {
         let places = places(&observed, columns);
         let row = |(time, state): (&f64, &Vec<field::DoubleDouble>)| {
@@ -34,8 +34,8 @@ impl Goal {
         Goal { times: reference.times.clone(), rows, observed }
     }
 
-    /// The largest error of a run of a configuration in the quantities that it has, each relative to its size; NaN where its
-    /// instants are others.
+    /// The largest error of a run of a configuration over the compared quantities that it has, each relative to its
+    /// size; NaN where its output times differ.
     pub fn error(&self, way: &Configuration, record: &Record<f64>) -> f64 {
         if record.times != self.times {
             return f64::NAN;
@@ -52,7 +52,7 @@ impl Goal {
     }
 }
 
-/// The places of the quantities in a row.
+/// The indices of the quantities in a row.
 fn places(observed: &[Observed], columns: &[String]) -> Vec<Option<usize>> {
     observed.iter().map(|one| columns.iter().position(|name| *name == one.name)).collect()
 }
@@ -61,7 +61,8 @@ fn places(observed: &[Observed], columns: &[String]) -> Vec<Option<usize>> {
 pub struct Explored {
     pub way: Configuration,
     pub points: Vec<Point>,
-    /// The error of the model itself, by an accurate run; none where the configuration is exact, or where there is no such run.
+    /// The error of the model itself, from an accurate run; `None` where the configuration is exact, or there is no
+    /// such run.
     pub floor: Option<f64>,
 }
 
@@ -73,8 +74,8 @@ pub struct Atlas {
 }
 
 impl Atlas {
-    /// Runs every method of every way at every tolerance without timing it: many scenes' at a time too. The first way is
-    /// the reference's own.
+    /// Runs every configuration by every method at every tolerance, without timing, so that several scenes can run in
+    /// parallel. The reference belongs to the first configuration.
     pub fn judged(ways: Vec<Configuration>, reference: Reference, goal: &Goal, span: f64, trials: &Trials) -> Self {
         let end = Instant::now() + trials.allowed;
         let mut explored = Vec::new();
@@ -86,7 +87,7 @@ impl Atlas {
         Atlas { reference, explored, span }
     }
 
-    /// Takes the times of all that reached the end, while nothing else runs.
+    /// Times all runs that reached their end. Nothing else should run meanwhile.
     pub fn take_times(&mut self, trials: &Trials, allowed: Duration) {
         let spans: Vec<_> = self.explored.iter().map(|one| one.way.span(self.span, trials.evaluations)).collect();
         let (mut runs, mut places) = (Vec::new(), Vec::new());
@@ -106,13 +107,13 @@ impl Atlas {
         }
     }
 
-    /// All runs with their configurations.
+    /// All runs, with their configurations.
     pub fn points(&self) -> impl Iterator<Item = (&Configuration, &Point)> {
         self.explored.iter().flat_map(|one| one.points.iter().map(move |point| (&one.way, point)))
     }
 }
 
-/// The part of a model's floor below which a tolerance gains nothing.
+/// Tolerances below this fraction of the error of a model are not tried.
 const BELOW_FLOOR: f64 = 1e-3;
 
 fn explore(way: Configuration, goal: &Goal, span: f64, trials: &Trials, allowed: Duration) -> Explored {
@@ -133,5 +134,5 @@ fn explore(way: Configuration, goal: &Goal, span: f64, trials: &Trials, allowed:
     Explored { way, points, floor }
 }
 
-/// The tolerance of the run that finds a floor.
+/// The tolerance of the run that gives the error of a model.
 const ACCURATE: f64 = 1e-10;

@@ -1,4 +1,4 @@
-//! A way to run a scene: a formulation of its equations with a model of its motor.
+//! A configuration of a scene: a formulation of its equations with a model of its motor.
 
 use super::measured::Trials;
 use crate::Problem;
@@ -11,33 +11,33 @@ use std::sync::Arc;
 /// A formulation of a scene's equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Formulation {
-    /// A gyrostat, in the axes of A.
+    /// A gyrostat in the principal axes of body A.
     First,
-    /// A gyrostat, in the axes of A*.
+    /// A gyrostat in the principal axes of body A*.
     Second,
-    /// In the angular momentum and the rotor's momentum: a sum of fields with known flows.
+    /// Angular momentum and rotor momentum as states: a sum of fields with known flows, for splitting methods.
     Momenta,
-    /// A motor on a bench: slip and currents.
+    /// A motor on a bench: slip and currents as states.
     Bench,
-    /// In coordinates that keep the constraints.
+    /// Minimal coordinates, which satisfy the constraints.
     Minimal,
-    /// In redundant coordinates, the constraints led by the gains that the scene gives.
+    /// Redundant coordinates with stabilised constraints, with the gains of the scene.
     Given,
-    /// In redundant coordinates by Lagrange's multipliers, f'' = 0, and nothing else; a control that keeps an equation stands for
-    /// the multiplier of one.
+    /// Redundant coordinates with multipliers from f'' = 0, without stabilisation. A control that enforces an equation
+    /// takes the role of a multiplier.
     IndexReduced,
-    /// In redundant coordinates, f'' = -2 w f' - w^2 f with w = [`Formulation::RATE`] (Baumgarte).
+    /// Redundant coordinates with Baumgarte stabilisation f'' = -2 w f' - w^2 f, w = [`Formulation::RATE`].
     Led,
     /// Index-reduced, with projection onto f = 0 and f' = 0 after each step.
     Projected,
-    /// In redundant coordinates held to f = 0 and f' = 0, each with its multiplier (Gear, Gupta, Leimkuhler).
+    /// Redundant coordinates with multipliers for f = 0 and for f' = 0 (Gear, Gupta, Leimkuhler).
     Held,
-    /// In redundant coordinates with rough contacts: between two events as index-reduced, at an event made exact.
+    /// Redundant coordinates with frictional contacts: index-reduced between events, projected at events.
     Contacts,
 }
 
 impl Formulation {
-    /// The rate w of [`Formulation::Led`], 1/s.
+    /// The rate w of the Baumgarte stabilisation, 1/s.
     pub const RATE: f64 = 10.0;
 
     /// The name in tables and legends.
@@ -59,7 +59,7 @@ impl Formulation {
 }
 
 impl Formulation {
-    /// The words within a sentence, behind a method.
+    /// The phrase for use in a sentence, after the name of a method.
     pub fn said(self) -> &'static str {
         match self {
             Formulation::First => "in the first form",
@@ -83,45 +83,45 @@ impl fmt::Display for Formulation {
     }
 }
 
-/// The relation between a model's motion and that of the scene's own model.
+/// The relation of a configuration's motion to that of the scene's own model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Standing {
-    /// The scene's own motion.
+    /// The scene's own model.
     Own,
-    /// Another with the same motion, which is proved.
+    /// Another formulation with the same motion, which is proved.
     Exact,
-    /// Another motion: its errors have a floor.
+    /// A reduced model: its error has a lower bound.
     Approximate,
 }
 
-/// A law with the treatment of its constraints, where it has some.
+/// A law, by the treatment of its constraints.
 #[derive(Clone)]
 pub enum Treated {
     Free(Arc<dyn Law>),
     Held(Arc<dyn SharedIndex2Dae>),
-    /// Law after law, across events.
+    /// A hybrid motion across events.
     Hybrid(Arc<dyn SharedHybridMotion>),
 }
 
-/// A held law that can be shared between threads.
+/// An index-2 DAE that can be shared between threads.
 pub trait SharedIndex2Dae: Index2DaeSystem + Send + Sync {}
 impl<L: Index2DaeSystem + Send + Sync> SharedIndex2Dae for L {}
 
-/// A motion across events that can be shared between threads.
+/// A hybrid motion that can be shared between threads.
 pub trait SharedHybridMotion: HybridMotion + Send + Sync {}
 impl<L: HybridMotion + Send + Sync> SharedHybridMotion for L {}
 
-/// A formulation with a model, ready to be run by every method that it has.
+/// A formulation with a model, ready for all methods that apply to it.
 pub struct Configuration {
     pub formulation: Formulation,
-    /// The motor's model by its name; empty where there is no motor.
+    /// The name of the motor's model; empty where there is no motor.
     pub model: &'static str,
     pub standing: Standing,
     pub law: Treated,
     pub state: Vec<f64>,
-    /// The sizes of the state's components, to which their tolerances are relative.
+    /// The size of each component of the state, to which tolerances are relative.
     pub sizes: Vec<f64>,
-    /// The names of a row's columns.
+    /// The column names of a row.
     pub columns: Vec<String>,
     pub row: Box<Row>,
 }
@@ -133,23 +133,24 @@ impl Configuration {
         Configuration { formulation, model, standing, law: Treated::Free(law), sizes: Vec::new(), state, columns, row }
     }
 
-    /// Finds the sizes: those of the reference where it is the reference's own.
+    /// Sets the sizes: from the reference `own` if it belongs to this configuration, otherwise from a coarse run.
     pub(super) fn measure_itself(&mut self, span: f64, own: Option<&Reference>) {
         let found = match (&self.law, own) {
             (_, Some(reference)) => Some(reference.sizes.clone()),
             (Treated::Free(law), None) => survey(&**law, &self.span(span, Trials::SURVEY)).ok(),
-            // no method with a constant step follows it
+            // methods with a constant step do not use them
             _ => None,
         };
         self.sizes = found.unwrap_or_else(|| vec![1.0; self.state.len()]);
     }
 
-    /// The span from time zero, with outputs at the instants of the reference.
+    /// The span from time zero, with outputs at the times of the reference.
     pub(super) fn span(&self, span: f64, evaluations: u64) -> Span<'static, f64> {
         Span::new(0.0, span, &self.state).with_even_outputs(crate::references::INSTANTS).with_evaluations(evaluations)
     }
 
-    /// Every method of this configuration. Splitting methods belong to the momenta, all others to the rest.
+    /// All methods of this configuration. Splitting methods apply to [`Formulation::Momenta`] only, all others to the
+    /// rest.
     pub(super) fn attempts(&self, trials: &Trials) -> Vec<Attempt<'_>> {
         let split =
             |method: &&Method| matches!(method, Method::Split { .. }) == (self.formulation == Formulation::Momenta);
@@ -175,7 +176,7 @@ impl Configuration {
         }
     }
 
-    /// Whether every method's error tends to zero.
+    /// Whether the error of every method tends to zero.
     pub fn is_exact(&self) -> bool {
         self.standing != Standing::Approximate
     }

@@ -1,4 +1,4 @@
-//! Scenes whose law changes at events: every method across the same events.
+//! Work-precision for scenes whose law changes at events.
 
 use super::atlas::Observed;
 use super::configuration::Configuration;
@@ -8,16 +8,16 @@ use std::time::Duration;
 
 /// A scene whose law changes at events.
 pub trait Hybrid {
-    /// The motion to all digits, each of two methods in half of the time.
+    /// The reference solution; each of the two methods may take half of the time.
     ///
     /// # Errors
-    /// Why the motion is not known.
+    /// [`Unknown`] with the reason why there is no reference.
     fn exact(&self, allowed: Duration) -> Result<Exact, Unknown>;
 
-    /// The owner of its reference.
+    /// The problem of the reference.
     fn owner(&self) -> Box<dyn Owner + '_>;
 
-    /// The configuration that runs law after law, by any method.
+    /// The configuration that integrates across events.
     fn way(&self) -> Configuration;
 
     /// The columns of [`Self::way`] that are compared, with their sizes along the motion.

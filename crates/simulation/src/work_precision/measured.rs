@@ -1,4 +1,4 @@
-//! Work against precision: the trials on a scene, and the reference for their errors.
+//! Work-precision measurements of a scene: the trials, and the reference for their errors.
 
 use super::atlas::{Atlas, Goal, Observed};
 use super::configuration::Configuration;
@@ -10,24 +10,24 @@ use std::time::Duration;
 
 const TOLERANCES: [f64; 6] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13];
 
-/// The methods, tolerances and limits of the trials on a scene.
+/// The methods, tolerances and limits of the trials of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trials {
     pub methods: Vec<Method>,
     pub tolerances: Vec<f64>,
-    /// Evaluations of the rates in one run.
+    /// The budget of evaluations of a run.
     pub evaluations: u64,
-    /// The time for all runs, without their timing.
+    /// The time for all runs, without timing.
     pub allowed: Duration,
 }
 
 impl Trials {
-    /// The numbers of steps that are tried with a constant step size.
+    /// The numbers of steps for methods with a constant step size.
     pub const STEPS: [u32; 4] = [250, 1_000, 4_000, 16_000];
-    /// Evaluations for the sizes of a state.
+    /// The budget of evaluations for the run that gives the sizes of a state.
     pub(super) const SURVEY: u64 = 1_000_000;
 
-    /// The trials with one more method, where it is not yet among them.
+    /// The trials with a further method.
     pub fn with(mut self, method: Method) -> Self {
         if !self.methods.contains(&method) {
             self.methods.push(method);
@@ -63,11 +63,11 @@ impl Default for Trials {
     }
 }
 
-/// The atlas of a scene without its times, which many scenes may compute at once. The first way must be that of the
-/// problem. A stored reference is used where it is the problem's own.
+/// The atlas of a scene without timing, so that several scenes can be judged in parallel. The first configuration must
+/// be that of the problem. A stored reference is used if it belongs to the problem.
 ///
 /// # Errors
-/// Where there is no reference.
+/// [`Failure`] where there is no reference.
 pub fn judged(
     observed: &dyn Fn(&Reference) -> Vec<Observed>,
     problem: &Problem,
@@ -84,11 +84,11 @@ pub fn judged(
     Ok(Atlas::judged(ways, reference, &goal, problem.span, trials))
 }
 
-/// The atlas without its times. A stored reference is used where it is this scene's own. A motion that ends by itself is followed until
-/// shortly before.
+/// The atlas without timing. A stored reference is used if it belongs to the scene. A motion that ends by itself is
+/// compared until shortly before its end.
 ///
 /// # Errors
-/// Where there is no reference.
+/// [`Unknown`] where there is no reference.
 pub fn judged_across_events(
     scene: &dyn Hybrid,
     trials: &Trials,

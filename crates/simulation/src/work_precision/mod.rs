@@ -1,11 +1,11 @@
-//! Work against precision: every method on every formulation of a scene's equations with every model of its motor.
+//! Work-precision comparison: every method on every formulation of a scene's equations with every model of its motor.
 //!
 //! # Overview
-//! * [`Configuration`]: a formulation with a model; each family of scenes lists its own ([`IvpScene::ways`](crate::IvpScene::ways));
-//! * [`Observed`]: the quantities that all ways have, for comparing their errors by the reference of the scene's own
-//!   model. A smaller model is measured by this reference too: no tolerance brings its error below that of the model
-//!   itself;
-//! * [`Atlas`]: the runs of all ways, their errors, work and times;
+//! * [`Configuration`]: a formulation with a model; each family of scenes lists its own
+//!   ([`IvpScene::ways`](crate::IvpScene::ways));
+//! * [`Observed`]: the quantities common to all configurations; their errors are measured by the reference of the
+//!   scene's own model. The error of a reduced model includes its modelling error, which no tolerance reduces;
+//! * [`Atlas`]: the runs of all configurations, with errors, work and times;
 //! * [`Hybrid`]: scenes whose law changes at events.
 
 mod atlas;

@@ -1,9 +1,9 @@
-//! A state in the form of the crate `differential-equations`.
+//! State vectors for the crate `differential-equations`.
 
 use differential_equations::traits::State;
 use std::cell::Cell;
 
-/// A state as long as the law's, or padded with constant components.
+/// A state vector with the dimension of the law, or padded with constant components.
 pub(super) trait Components: State<f64> {
     fn of(values: &[f64]) -> Self;
     fn values(&self) -> &[f64];
@@ -24,17 +24,18 @@ impl<const N: usize> Components for [f64; N] {
     }
 }
 
-/// A state of any length.
+/// A state vector of any dimension.
 #[derive(Clone, Debug)]
 pub(super) struct Vector(Vec<f64>);
 
 thread_local! {
-    /// The length of the states in the steps of this thread: the crate makes zero states before it has seen one.
+    /// The dimension of the states of this thread: the crate constructs zero states before it has seen a state.
     static LENGTH: Cell<usize> = const { Cell::new(0) };
 }
 
 impl Vector {
-    /// Sets the length, before a method is made, and again before each of its steps: a law may run a method of its own.
+    /// Sets the dimension. Needed before a method is constructed and before each of its steps, since a law may run a
+    /// method of its own.
     pub fn set_length(length: usize) {
         LENGTH.set(length);
     }

@@ -1,4 +1,4 @@
-//! Adaptors to solvers of other crates: their steps, with this crate's outputs, budget and failures.
+//! Adaptors to the solvers of other crates: their steps, with the outputs, budget and failures of this crate.
 
 mod components;
 pub(crate) mod ryan_gast;

@@ -1,18 +1,19 @@
-//! Verner's pairs, Radau5 and Kvaerno's pair from Ryan Gast's crate `differential-equations`, taken step by step.
+//! Verner's pairs, Radau5 and Kvaerno's pair from Ryan Gast's crate `differential-equations`, called step by step.
 //!
-//! Tolerances are given by component: with a scalar its Radau5 transforms the one number once for every component. The Jacobian is
-//! this crate's.
+//! Tolerances are passed by component: with a scalar tolerance the crate's Radau5 transforms the scalar repeatedly. The
+//! Jacobian is computed by this crate.
 //!
-//! The crate's Radau5 once keeps the factors of its matrices where a step is as long as the last, and from then on keeps them
-//! at steps of other lengths too: Newton's iteration converges to the right stages, but slowly, and at tight tolerances not
-//! within its iterations, whatever the step. The step after one that kept its factors therefore begins a new run, unless
-//! it is as long; so does the last step, which is cut to land on the end.
+//! A fault of the crate's Radau5: after it has reused its factorisations for a step of equal length, it reuses them for
+//! steps of other lengths too. Newton's iteration then converges slowly and at tight tolerances not within its limit.
+//! After a step that reused the factorisations, and before the last step, which is shortened to end at the span's end,
+//! a new run is therefore begun unless the step length is unchanged.
 //!
-//! Newton's iteration ends at a size of its corrections that rounding may not allow. Where steps are rejected one after another,
-//! or nearly every second one, that size is taken [ten times](LOOSER) as large, up to what the tolerance allows a step.
+//! Newton's iteration ends at a size of its corrections that may be below rounding. If steps are rejected repeatedly,
+//! that size is enlarged [tenfold](LOOSER), up to the tolerance of a step.
 //!
-//! The crate's methods hold their state and show it only. Where states are projected onto equations that the motion keeps, the method goes
-//! on from its own state, and the law is evaluated at the [shifted](Shift) one: z' = f(t, z + c), where c is the sum of all shifts so far.
+//! The crate's methods own their state and give only read access. Where states are projected onto invariants, the
+//! method continues from its own state z, and the law is evaluated at the [shifted](Shift) state: z' = f(t, z + c),
+//! where c is the sum of all projections so far.
 
 use std::cell::RefCell;
 
@@ -31,7 +32,7 @@ use crate::run::stepping::first_step;
 use crate::run::watch::Watch;
 use crate::{Failure, Outcome, System, Tolerance};
 
-/// A method of the crate.
+/// The methods of the crate that are used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Choice {
     Verner6,
@@ -40,26 +41,26 @@ pub(crate) enum Choice {
     Kvaerno5,
 }
 
-/// States of at most so many components are padded to arrays, which the explicit pairs combine twice as fast as a state on the heap.
-/// The implicit methods spend their time on matrices, which padding makes larger.
+/// States with at most this number of components are padded to arrays, which makes the explicit pairs twice as fast as
+/// a state on the heap. The implicit methods are not padded: their matrices would become larger.
 const SMALL: usize = 8;
 const SMALLEST: usize = 4;
 
-/// Rejections in a row after which no shorter step is tried.
+/// The run ends after so many rejections in a row.
 const MOST_REJECTIONS: u32 = 60;
 
-/// Rejections in a row after which Newton's iteration is thought to be at rounding.
+/// After so many rejections in a row Newton's iteration counts as limited by rounding.
 const STALLED: u32 = 12;
 
-/// The number of attempts in a window, and the share of rejected ones among them at which Newton's iteration also
-/// counts as stalled.
+/// The number of attempts in a window, and the fraction of rejected ones among them from which Newton's iteration also
+/// counts as limited by rounding.
 const WINDOW: u32 = 200;
 const MOSTLY: f64 = 0.3;
 
-/// Factor by which the size of corrections that ends Newton's iteration is enlarged where the iteration stalls.
+/// The factor by which the final size of Newton's corrections is enlarged in this case.
 const LOOSER: f64 = 10.0;
 
-/// Growth of the state, as a factor, after which that size is computed anew.
+/// The growth factor of the state after which the final size of the corrections is computed again.
 const GROWN: f64 = 2.0;
 
 /// Runs one method to the end of the span, or to its failure.
@@ -78,15 +79,15 @@ pub(crate) fn run(
     }
 }
 
-/// The law in the crate's form.
+/// The law as a type of the crate.
 struct Law<'l> {
     meter: &'l BudgetedRhs<'l, f64>,
     jacobian: RefCell<(Jacobian<'l>, Vec<f64>)>,
-    /// `None` where no state is projected.
+    /// The shift of the state; `None` where states are not projected.
     shift: Option<RefCell<Shift>>,
 }
 
-/// The shift from the state of a method to that of the law.
+/// The difference between the state of the law and that of the method.
 struct Shift {
     by: Vec<f64>,
     /// The state of the law.
@@ -98,20 +99,20 @@ impl Shift {
         Shift { by: vec![0.0; n], state: vec![0.0; n] }
     }
 
-    /// The state of the law where that of the method is z.
+    /// The state of the law for the method's state z.
     fn of(&mut self, z: &[f64]) -> &mut Vec<f64> {
         self.state.iter_mut().zip(z).zip(&self.by).for_each(|((state, z), by)| *state = z + by);
         &mut self.state
     }
 
-    /// From a state of the method to one of the law.
+    /// Sets the shift from a state of the method and the corresponding state of the law.
     fn between(&mut self, z: &[f64], state: &[f64]) {
         self.by.iter_mut().zip(state).zip(z).for_each(|((by, state), z)| *by = state - z);
     }
 }
 
 impl Law<'_> {
-    /// Shows the state of the law for the state z of the method.
+    /// Calls `show` with the state of the law for the method's state z.
     fn at<R>(&self, z: &[f64], show: impl FnOnce(&[f64]) -> R) -> R {
         match &self.shift {
             Some(shift) => show(shift.borrow_mut().of(z)),
@@ -119,7 +120,7 @@ impl Law<'_> {
         }
     }
 
-    /// Takes the state of the method after an accepted step.
+    /// Reports the state of the method after an accepted step.
     fn accept(&self, watch: &mut Watch<'_, '_, f64>, tau: f64, z: &[f64]) {
         let Some(shift) = &self.shift else { return watch.accept(tau, z) };
         let mut shift = shift.borrow_mut();
@@ -207,21 +208,22 @@ fn in_form<Y: Components>(
     watch.finish(end, meter)
 }
 
-/// The size of corrections at which Newton's iteration ends.
+/// The final size of the corrections of Newton's iteration.
 #[derive(Clone, Copy)]
 struct Left {
     choice: Choice,
-    /// The size in the form that the crate takes.
+    /// The final size, in the units of the crate.
     size: f64,
-    /// Whether the tolerance admits a larger size.
+    /// Whether the tolerance allows a larger size.
     may_grow: bool,
-    /// The size of the state for which it was found, where it depends on one.
+    /// The magnitude of the state for which the size was computed, where it depends on the state.
     scale: Option<f64>,
 }
 
 impl Left {
-    /// For Radau5 in units of its inner tolerance, 0.1 relative^(2/3): Hairer's rule, which the crate replaces by a constant.
-    /// For Kvaerno's pair the largest component: a tenth of the finest absolute tolerance, or ten roundings of the state.
+    /// For Radau5: in units of its inner tolerance, 0.1 relative^(2/3) (Hairer's rule, which the crate replaces by a
+    /// constant). For Kvaerno's pair: the largest component, a tenth of the smallest absolute tolerance or ten
+    /// roundings of the state.
     fn by_newton(choice: Choice, tolerance: &Tolerance, state: &[f64], looser: f64) -> Self {
         let scale = state.iter().fold(0.0_f64, |scale, y| scale.max(y.abs()));
         let (least, most) = match choice {
@@ -242,23 +244,23 @@ impl Left {
         Left { choice, size, may_grow: size < most, scale }
     }
 
-    /// Whether a state has become too large for the size.
+    /// Whether the state has grown too large for the size.
     fn outgrown(&self, state: &[f64]) -> bool {
         self.scale.is_some_and(|scale| state.iter().any(|y| y.abs() > GROWN * scale.max(1.0)))
     }
 }
 
-/// The data with which the method goes on after some steps.
+/// The result of a sequence of steps.
 struct Next {
     step: f64,
-    /// No step was rejected.
+    /// Whether no step was rejected.
     clean: bool,
-    /// Newton's iteration does not converge.
+    /// Whether Newton's iteration is limited by rounding.
     stalled: bool,
 }
 
-/// Steps up to the end, or until a step must be cut to land on it, or until a state is not finite, or until the method must
-/// begin anew.
+/// Makes steps to the end, or until a step must be shortened to end there, a state is not finite, or the method must be
+/// started again.
 fn stretch<Y: Components, M: OrdinaryNumericalMethod<f64, Y>>(
     mut method: M,
     law: &Law<'_>,
@@ -266,7 +268,7 @@ fn stretch<Y: Components, M: OrdinaryNumericalMethod<f64, Y>>(
     (watch, brink): (&mut Watch<'_, '_, f64>, &mut Brink),
 ) -> Result<Next, Failure> {
     let (meter, n, stop) = (law.meter, law.meter.dimension(), watch.landing());
-    // the method begins with the state of the law
+    // a method is started at the state of the law
     if let Some(shift) = &law.shift {
         shift.borrow_mut().by.fill(0.0);
     }
@@ -324,7 +326,7 @@ fn stretch<Y: Components, M: OrdinaryNumericalMethod<f64, Y>>(
             }
             continue;
         }
-        // the crate's explicit pairs take an undefined error for none: back to the last good state
+        // the crate's explicit pairs take an error of NaN for zero: return to the last valid state
         if is_spoilt {
             watch.reject();
             return Ok(Next { step: 0.25 * step, clean: false, stalled: false });
@@ -339,7 +341,7 @@ fn stretch<Y: Components, M: OrdinaryNumericalMethod<f64, Y>>(
     Ok(Next { step: method.h(), clean, stalled: false })
 }
 
-/// The crate's errors by the names of this crate.
+/// The failure of this crate that corresponds to an error of `differential-equations`.
 fn name<Y: Components>(error: &Error<f64, Y>, meter: &BudgetedRhs<f64>, at: f64, step: f64) -> Failure {
     match error {
         _ if meter.was_undefined() => Failure::LeftTheNumbers { at },

@@ -1,7 +1,8 @@
-//! Collocation with multipliers: Z_i = h sum_j a_ij (f + B z)(Y_j), 0 = g(Y_i), by Newton in all Z_i and z_i at once.
+//! Collocation for DAEs of index 2: Z_i = h sum_j a_ij (f + B z)(Y_j), 0 = g(Y_i), by Newton's iteration in all Z_i and
+//! z_i.
 //!
-//! As for laws without constraints the matrix holds the Jacobians of the stages in `f64`, by forward differentiation, and
-//! the residuals are those of the run's field. Newton goes on until rounding stops it.
+//! Newton's matrix consists of the Jacobians of the stages in `f64`, by forward differentiation. The residuals are
+//! computed in the scalar type of the run. Newton's iteration continues until rounding stops its progress.
 
 use super::Whole;
 use super::onto::Onto;
@@ -18,9 +19,9 @@ pub(super) struct Collocated<'a, S> {
     step: S,
     onto: Onto<'a, S>,
     jacobian: Jacobian<'a>,
-    /// (Z_i, z_i) stage after stage; at the start of a step the result of the last one.
+    /// (Z_i, z_i), stage by stage. At the start of a step: the values of the previous step, as a predictor.
     unknowns: Vec<S>,
-    /// (Y_j, z_j)
+    /// (Y_j, z_j) of one stage.
     stage: Vec<S>,
     /// (f + B z, g) of the stages.
     rates: Vec<S>,
@@ -49,7 +50,7 @@ impl<'a, S: Real> Collocated<'a, S> {
         }
     }
 
-    /// Residuals, and Jacobians if they are wanted, at the stages as they stand.
+    /// Computes the residuals at the current stages, and the Jacobians if `jacobians` is set.
     fn evaluate(&mut self, tau: S, before: &[S], step: S, jacobians: bool, meter: &BudgetedRhs<S>) {
         let (n, one) = (self.onto.n, self.stage.len());
         for (j, rates) in self.rates.chunks_mut(one).enumerate() {
@@ -68,7 +69,7 @@ impl<'a, S: Real> Collocated<'a, S> {
         }
     }
 
-    /// The factors of Newton's matrix.
+    /// Factorises Newton's matrix.
     fn linearise(&mut self, step: S, meter: &BudgetedRhs<S>) -> Result<(), Cause> {
         let (n, one) = (self.onto.n, self.stage.len());
         if !self.jacobians.iter().all(|slope| slope.is_finite()) {
@@ -92,7 +93,7 @@ impl<'a, S: Real> Collocated<'a, S> {
         if self.lu.factorise() { Ok(()) } else { Err(Cause::Singular) }
     }
 
-    /// The right side of Newton's equations, and their solution.
+    /// Sets up and solves Newton's equations for a correction.
     fn solve(&mut self, step: S) {
         let (n, one) = (self.onto.n, self.stage.len());
         for (row, correction) in self.correction.iter_mut().enumerate() {
@@ -119,11 +120,10 @@ impl<'a, S: Real> Collocated<'a, S> {
             }
             self.solve(step);
             self.unknowns.iter_mut().zip(&self.correction).for_each(|(u, d)| *u += S::lift(*d));
-            // the multipliers are as good as the rounding of y over h admits: y alone tells when Newton's iteration is
-            // done
+            // the multipliers are accurate only to the rounding of y over h: convergence is judged by y alone
             let moved = self.correction.chunks(one).flat_map(|stage| &stage[..n]);
             let size = moved.fold(0.0_f64, |size, d| if d.is_nan() { *d } else { size.max(d.abs()) });
-            // a step that begins in the origin is measured by its end
+            // relative to the state at the end of a step that begins at the origin
             let steps = self.unknowns.chunks(one).flat_map(|stage| &stage[..n]);
             let scale = steps.fold(scale, |scale, z| scale.max(z.approx().abs()));
             if newton.corrected::<S>(size, scale)? {

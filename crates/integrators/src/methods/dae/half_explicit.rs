@@ -5,8 +5,7 @@ use crate::Real;
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::{Attempt, Stepper};
 
-/// The stages after the first by their coefficients, from the left; the weights come last. The node of a stage is the
-/// sum of its coefficients.
+/// Coefficients of the stages after the first, then the weights. The node of a stage is the sum of its coefficients.
 type Tableau = &'static [&'static [(i64, i64)]];
 
 pub(super) const EULER: Tableau = &[&[(1, 1)]];
@@ -14,12 +13,12 @@ pub(super) const RUNGE_KUTTA_4: Tableau =
     &[&[(1, 2)], &[(0, 1), (1, 2)], &[(0, 1), (0, 1), (1, 1)], &[(1, 6), (1, 3), (1, 3), (1, 6)]];
 
 pub(super) struct HalfExplicit<'a, S> {
-    /// The coefficients, rounded in the run's own field: a node slightly off one would meet a moving constraint too
+    /// The coefficients in the scalar type of the run: a node slightly below one would satisfy a moving constraint too
     /// early.
     tableau: Vec<Vec<S>>,
     step: S,
     onto: Onto<'a, S>,
-    /// f + B z of the stages.
+    /// f + B z at the stages.
     slopes: Vec<S>,
     stage: Vec<S>,
 }
@@ -47,7 +46,7 @@ impl<S: Real> Stepper<S> for HalfExplicit<'_, S> {
             if let Err(cause) = self.onto.bring(tau + step * node, &mut self.stage, meter) {
                 return Attempt::Rejected { next: 0.0, cause };
             }
-            // d = h a z of the last stage
+            // d = h a z of the last stage: the multipliers follow from the displacement
             let reach = step * weights[last];
             for (c, slope) in self.slopes[last * n..][..n].iter_mut().enumerate() {
                 let columns = self.onto.columns.chunks(n).zip(&self.onto.moved);

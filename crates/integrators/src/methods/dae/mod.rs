@@ -1,13 +1,17 @@
-//! DAEs of index 2: laws held to constraints by multipliers, y' = f(t, y) + B(t, y) z, 0 = g(t, y), with g_y B regular.
+//! Methods for DAEs of index 2: y' = f(t, y) + B(t, y) z, 0 = g(t, y), with g_y B regular.
 //!
 //! | method | order of y | a step |
 //! |---|---|---|
-//! | half-explicit Euler, Runge-Kutta 4 | 1, 3 | the multipliers of a stage are those with which the next stage is on the constraint |
-//! | Radau IIA with s stages (s = 1: backward Euler) | 2s - 1 | every stage is on the constraint, and the last is the end |
-//! | Gauss with s stages (s = 1: the midpoint rule), projected | 2s | every stage is on the constraint, then the end is brought onto it along B |
+//! | half-explicit Euler, Runge-Kutta 4 | 1, 3 | the multipliers of a stage are such that the next stage satisfies the
+//! constraint |
+//! | Radau IIA with s stages (s = 1: backward Euler) | 2s - 1 | every stage satisfies the constraint, and the last
+//! stage is the end |
+//! | Gauss with s stages (s = 1: the midpoint rule), projected | 2s | every stage satisfies the constraint, then the
+//! end is projected onto it along B |
 //!
-//! Without its projection Gauss with an odd s has the order s + 1, with an even one s, and the ends leave the constraint:
-//! y_1 - y_0 is twice the way to the midpoint, and the error of the constraint changes its sign instead of decaying.
+//! Without the projection, Gauss has the order s + 1 for odd s and s for even s, and the ends of steps violate the
+//! constraint: for s = 1, y_1 - y_0 is twice the displacement of the midpoint, and the error in the constraint
+//! alternates in sign instead of decaying.
 //!
 //! Sources: Hairer, Lubich, Roche: The numerical solution of differential-algebraic systems by Runge-Kutta methods (1989);
 //! Ascher, Petzold: Projected implicit Runge-Kutta methods for differential-algebraic equations (1991).
@@ -34,7 +38,7 @@ use onto::Onto;
 use projection::Projected;
 use std::fmt;
 
-/// A method with the number of its equal steps over the span.
+/// A method for DAEs of index 2, with the number of equal steps over the span.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Index2Method {
     HalfExplicitEuler { steps: u32 },
@@ -44,7 +48,7 @@ pub enum Index2Method {
 }
 
 impl Index2Method {
-    /// The order of y in the step.
+    /// The order of convergence of y.
     pub fn order(self) -> u32 {
         match self {
             Index2Method::HalfExplicitEuler { .. } => 1,
@@ -64,7 +68,7 @@ impl Index2Method {
         }
     }
 
-    /// The method with one step over the span.
+    /// The method with a single step over the span.
     fn once(self) -> Self {
         match self {
             Index2Method::HalfExplicitEuler { .. } => Index2Method::HalfExplicitEuler { steps: 1 },
@@ -100,9 +104,10 @@ impl fmt::Display for Index2Method {
     }
 }
 
-/// Integrates a DAE of index 2 over a span; the state is y. It need not begin on the constraint: the first step brings it there.
+/// Integrates a DAE of index 2 over a span; the state is y. The start may violate the constraint: the first step
+/// removes the violation.
 ///
-/// Never panics and never returns NaN: a failure is the outcome's end.
+/// Never panics and never returns NaN: a failure is the `end` of the outcome.
 pub fn integrate_index2<S: Working>(
     system: &dyn Index2DaeSystem,
     method: Index2Method,
@@ -142,8 +147,8 @@ pub fn integrate_index2<S: Working>(
     }
 }
 
-/// Integrates a system with a constant step, and brings the state onto the constraint of a held law, along its B, after
-/// each step. A method that follows a tolerance is refused.
+/// Integrates a system with a constant step, and projects the state onto the constraint of `held` along its B after
+/// each step. A method with step size control is refused.
 pub fn integrate_projected<S: Working>(
     system: &dyn System,
     held: &dyn Index2DaeSystem,
@@ -166,7 +171,7 @@ pub fn integrate_projected<S: Working>(
     }
 }
 
-/// (f + B z, g) of (y, z): its Jacobian holds everything that Newton needs.
+/// The function (f + B z, g) of (y, z), whose Jacobian has all derivatives for Newton's iteration.
 struct Whole<'a, S> {
     law: &'a dyn Index2Dae<S>,
     n: usize,

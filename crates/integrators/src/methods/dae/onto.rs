@@ -8,20 +8,20 @@ use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::Cause;
 use crate::{DIRECTIONS, Dual8, Real};
 
-/// Newton's iteration for d, until rounding stops it, with the exact derivative of g.
+/// Newton's iteration for d with the exact derivative of g, until rounding stops its progress.
 pub(super) struct Onto<'a, S> {
     pub law: &'a dyn Index2Dae<S>,
     varied: &'a dyn Index2Dae<Dual8>,
     pub n: usize,
     pub m: usize,
-    /// B: m columns of n.
+    /// The m columns of B, each with n entries.
     pub columns: Vec<S>,
-    /// d
+    /// The displacement coefficients d.
     pub moved: Vec<S>,
     g: Vec<S>,
     y: Vec<Dual8>,
     slopes: Vec<Dual8>,
-    /// g_y, by rows
+    /// The n columns of g_y, row by row.
     rows: Vec<f64>,
     correction: Vec<f64>,
     lu: Lu,
@@ -47,7 +47,7 @@ impl<'a, S: Real> Onto<'a, S> {
         }
     }
 
-    /// f at (t, y), and B, the directions of the next correction.
+    /// Computes f and B at (t, y).
     pub fn parts(&mut self, tau: S, y: &[S], rates: &mut [S], meter: &BudgetedRhs<S>) {
         if !meter.charge(1) {
             rates.fill(S::lift(f64::NAN));
@@ -57,7 +57,7 @@ impl<'a, S: Real> Onto<'a, S> {
         rates.iter_mut().chain(&mut self.columns).for_each(|part| *part *= meter.direction);
     }
 
-    /// Replaces y by y + B d; without a constraint y does not change.
+    /// Replaces y by y + B d. Without constraints y is unchanged.
     pub fn bring(&mut self, tau: S, y: &mut [S], meter: &BudgetedRhs<S>) -> Result<(), Cause> {
         if self.m == 0 {
             return Ok(());
@@ -90,7 +90,7 @@ impl<'a, S: Real> Onto<'a, S> {
         }
     }
 
-    /// The factors of g_y B at (t, y).
+    /// Factorises g_y B at (t, y).
     fn linearise(&mut self, t: f64, y: &[S], meter: &BudgetedRhs<S>) -> Result<(), Cause> {
         self.derive(t, y);
         for (row, entries) in self.rows.chunks(self.n).zip(self.lu.rows()) {
@@ -102,7 +102,7 @@ impl<'a, S: Real> Onto<'a, S> {
         if self.lu.factorise() { Ok(()) } else { Err(Cause::Singular) }
     }
 
-    /// g_y at (t, y).
+    /// Computes g_y at (t, y).
     fn derive(&mut self, t: f64, y: &[S]) {
         let n = self.n;
         self.y.iter_mut().zip(y).for_each(|(own, y)| *own = Dual8::from_re(y.approx()));

@@ -1,4 +1,4 @@
-//! Any method with a constant step, projected onto the constraint after each step.
+//! Any method with a constant step, with a projection onto the constraint after each step.
 
 use super::onto::Onto;
 use crate::Real;

@@ -1,4 +1,4 @@
-//! Euler's and the classical Runge-Kutta method with a constant step: the baseline of every chart.
+//! Euler's method and the classical Runge-Kutta method with a constant step.
 
 use crate::Real;
 use crate::run::budgeted_rhs::BudgetedRhs;
@@ -56,7 +56,8 @@ impl<S: Real> Stepper<S> for RungeKutta4<S> {
     }
 }
 
-/// One step of explicit Euler from `before` at tau, over any field; `slope` is room for f.
+/// One step of the explicit Euler method from `before` at the time `tau`, over any scalar type; `slope` is a buffer for
+/// f.
 pub fn euler_step<S: Scalar>(
     mut rates: impl FnMut(S, &[S], &mut [S]),
     tau: S,
@@ -69,8 +70,8 @@ pub fn euler_step<S: Scalar>(
     advance(before, step, slope, after);
 }
 
-/// One step of the classical Runge-Kutta method, over any field; the slopes and the stage are room for k1 .. k4 and
-/// their arguments.
+/// One step of the classical Runge-Kutta method, over any scalar type; `k1` .. `k4` and `stage` are buffers for the
+/// slopes and their arguments.
 pub fn runge_kutta_4_step<S: Scalar>(
     mut rates: impl FnMut(S, &[S], &mut [S]),
     tau: S,

@@ -1,4 +1,5 @@
-//! Gragg-Bulirsch-Stoer: extrapolation of the modified midpoint rule, variable order and step, over any field.
+//! Gragg-Bulirsch-Stoer: extrapolation of the modified midpoint rule with variable order and step size, over any scalar
+//! type.
 //!
 //! Gragg's rule with n substeps of length h = H/n and his smoothing,
 //! z_1 = y + h f(y), z_{m+1} = z_{m-1} + 2 h f(z_m), T = (z_{n-1} + z_n + h f(z_n)) / 2,
@@ -12,18 +13,18 @@ use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::{Attempt, Cause, Stepper};
 use crate::{Real, Tolerance};
 
-/// The most columns that are worth their cost: order 18 in `f64`, 32 in double-double.
+/// The largest number of columns that pays: order 18 in `f64`, 32 in double-double.
 fn most_columns<S: Real>() -> usize {
     if S::EPSILON > 1e-20 { 9 } else { 16 }
 }
 
-/// The method with its table. Column and row numbers count from 1, as in the formulas.
+/// The method with its extrapolation table. Columns and rows are numbered from 1, as in the formulas.
 pub(crate) struct GraggBulirschStoer<S> {
     tolerance: Tolerance,
     columns: Columns,
-    /// Divisors 1 / ((n_j / n_{j-k})^2 - 1), by row and k.
+    /// The factors 1 / ((n_j / n_{j-k})^2 - 1), by row and k.
     factors: Vec<Vec<S>>,
-    /// The last row of the table, T_{j,1} ..: overwritten row by row.
+    /// The last row of the table, T_{j,1} ...
     table: Vec<Vec<S>>,
     first_slope: Vec<S>,
     slope_at: Option<S>,
@@ -32,12 +33,12 @@ pub(crate) struct GraggBulirschStoer<S> {
     slope: Vec<S>,
 }
 
-/// Substeps of row j.
+/// The number of substeps of row j.
 fn substeps(j: usize) -> usize {
     2 * j
 }
 
-/// Evaluations for all rows up to j.
+/// The number of evaluations for rows 1 to j.
 fn cost(j: usize) -> f64 {
     (1 + j * (j + 1)) as f64
 }
@@ -64,12 +65,12 @@ impl<S: Real> GraggBulirschStoer<S> {
         }
     }
 
-    /// The order at which the first step will be tried.
+    /// The order of the first attempt.
     pub fn first_order(&self) -> u32 {
         self.columns.order()
     }
 
-    /// One row: Gragg's rule into the first column, then the extrapolations.
+    /// Computes row j of the table: Gragg's rule, then the extrapolations.
     fn row(&mut self, j: usize, tau: S, before: &[S], step: S, meter: &BudgetedRhs<S>) {
         let n = substeps(j);
         let h = step / S::int(n as i64);
@@ -87,7 +88,7 @@ impl<S: Real> GraggBulirschStoer<S> {
         for i in 0..before.len() {
             let mut entry = (self.previous[i] + self.current[i] + h * self.slope[i]).half();
             for k in 1..j {
-                // the table holds T_{j-1,k} still: replaced once it was used
+                // the table still holds T_{j-1,k} here
                 let better = entry + (entry - self.table[k - 1][i]) * factors[k - 1];
                 self.table[k - 1][i] = entry;
                 entry = better;

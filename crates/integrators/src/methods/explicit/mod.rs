@@ -1,4 +1,4 @@
-//! Explicit methods: no equation is solved in a step.
+//! Explicit methods.
 
 pub(super) mod classical;
 pub(super) mod dormand_prince;

@@ -1,17 +1,21 @@
-//! Bader-Deuflhard: extrapolation of the linearly implicit midpoint rule, variable order and step, for stiff laws.
+//! Bader-Deuflhard: extrapolation of the linearly implicit midpoint rule with variable order and step size, for stiff
+//! laws.
 //!
-//! No Newton iteration: with J = df/dy and f_t = df/dt at the step's start, h = H/n and z = y - y_0 the rule is
+//! The method has no Newton iteration. With J = df/dy and f_t = df/dt at the step's start, h = H/n and z = y - y_0 the
+//! rule is
 //! (I - h J) D_0 = h f(y_0) + h^2 f_t,  D_k = D_{k-1} + 2 (I - h J)^-1 (h f(y_k) - D_{k-1}),  z_{k+1} = z_k + D_k,
-//! and a row's result the mean T = (z_{n-3} + 3 z_{n-1} + 3 z_{n+1} + z_{n+3})/8. Its error has an expansion in even
-//! powers of h (Bader and Deuflhard, Numer. Math. 41, 1983), extrapolated over n_j = 6, 10, 14, 22, 34, 50, 70, 98. The mean
-//! adds 3/2 h^2 y'', however short the way: k rows are of order 2 k - 1. One Jacobian a step, one factorisation a row.
+//! and the result of a row is the mean T = (z_{n-3} + 3 z_{n-1} + 3 z_{n+1} + z_{n+3})/8. Its error has an expansion in
+//! even powers of h (Bader and Deuflhard, Numer. Math. 41, 1983), extrapolated over n_j = 6, 10, 14, 22, 34, 50, 70,
+//! 98. The mean adds an error 3/2 h^2 y'' of one substep: k rows have the order 2 k - 1. A step needs one Jacobian, a
+//! row one factorisation.
 //!
-//! Why four points. A component that decays as exp(-r t) with r h >> 1 changes sign at every second substep and hardly
-//! decays, z_{k+1} = -(1 - 2/(r h)) z_{k-1}; the first substep leaves h^3 y'''/3 of it. The mean of two points (Bader and
-//! Deuflhard's) leaves 1/(r h) of that, and over the row exp(-n^2/(r H)) of that: expanded in n^2 this has the term H
-//! y'''/(3 r^2), the same in every row, which no extrapolation removes. Four points leave 1/(r h)^3, a term y'''/(3 r^3).
-//! Hairer and Wanner, Solving Ordinary Differential Equations II (1996), IV.9. The only crate with this method is not
-//! maintained.
+//! Reason for the mean of four points: a component that decays as exp(-r t) with r h >> 1 changes its sign at every
+//! second substep and hardly decays, z_{k+1} = -(1 - 2/(r h)) z_{k-1}; the first substep leaves h^3 y'''/3 of it. The
+//! mean of two points by Bader and Deuflhard reduces this by the factor 1/(r h), and the row by exp(-n^2/(r H)).
+//! Expanded in n^2 this contains the term H y'''/(3 r^2), equal in all rows, which extrapolation cannot remove. The
+//! mean of four points has the factor 1/(r h)^3 instead, which leaves y'''/(3 r^3).
+//!
+//! Hairer and Wanner, Solving Ordinary Differential Equations II (1996), IV.9.
 
 use crate::Tolerance;
 use crate::law::jacobian::Jacobian;
@@ -21,20 +25,20 @@ use crate::newton::Shifted;
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::{Attempt, Cause, Stepper};
 
-/// n_j.
+/// The numbers of substeps n_j.
 const SUBSTEPS: [usize; 8] = [6, 10, 14, 22, 34, 50, 70, 98];
-/// Substeps beyond the end of the step that the mean of a row uses.
+/// The number of substeps beyond the end of the step that the mean of a row uses.
 const BEYOND: usize = 3;
-/// The work of a Jacobian and of a factorisation, in substeps: as measured with 15 states.
+/// The work of a Jacobian, and of a factorisation, in substeps; measured with 15 states.
 const JACOBIAN: f64 = 5.0;
 const FACTORISATION: f64 = 4.0;
 
 pub(crate) struct BaderDeuflhard<'a> {
     tolerance: Tolerance,
     columns: Columns,
-    /// 1 / ((n_j / n_{j-k})^2 - 1), by row and k.
+    /// The factors 1 / ((n_j / n_{j-k})^2 - 1), by row and k.
     factors: Vec<Vec<f64>>,
-    /// The last row of the table, T_{j,1} .., less y_0: the sums of small steps keep their digits.
+    /// The last row of the table, T_{j,1} .., minus y_0: the difference keeps the digits of small increments.
     table: Vec<Vec<f64>>,
     linear: Linearised<'a>,
     matrix: Shifted,
@@ -43,7 +47,7 @@ pub(crate) struct BaderDeuflhard<'a> {
     z: Vec<f64>,
     difference: Vec<f64>,
     change: Vec<f64>,
-    /// T.
+    /// The mean T.
     mean: Vec<f64>,
 }
 
@@ -69,19 +73,19 @@ impl<'a> BaderDeuflhard<'a> {
         }
     }
 
-    /// The order at which the first step will be tried.
+    /// The order of the first attempt.
     pub fn first_order(&self) -> u32 {
         self.columns.order()
     }
 
-    /// Linearises the law at the start of a step, unless it is done already.
+    /// Computes the Jacobian at the start of a step, unless this was done for a rejected attempt.
     fn linearise(&mut self, tau: f64, before: &[f64], meter: &BudgetedRhs<f64>) {
         if self.linear.at(tau, before, meter) {
             self.matrix.take(&self.linear.matrix);
         }
     }
 
-    /// Factors of 1/h I - J.
+    /// Factorises 1/h I - J.
     fn factorise(&mut self, h: f64, meter: &BudgetedRhs<f64>) -> Result<(), Cause> {
         meter.count_factorisation();
         if self.matrix.factorise(1.0 / h) {
@@ -90,7 +94,7 @@ impl<'a> BaderDeuflhard<'a> {
         Err(self.linear.unfactorised())
     }
 
-    /// One row: the rule into the first column, then the extrapolations.
+    /// Computes row j of the table: the linearly implicit rule, then the extrapolations.
     fn row(&mut self, j: usize, tau: f64, before: &[f64], step: f64, meter: &BudgetedRhs<f64>) -> Result<(), Cause> {
         let (n, substeps) = (before.len(), self.columns.substeps(j));
         let h = step / substeps as f64;
@@ -129,7 +133,7 @@ impl<'a> BaderDeuflhard<'a> {
         for i in 0..n {
             let mut entry = self.mean[i];
             for (column, factor) in self.table.iter_mut().zip(&self.factors[j - 1]) {
-                // the table holds T_{j-1,k} still: replaced once it was used
+                // the table still holds T_{j-1,k} here
                 let better = entry + (entry - column[i]) * factor;
                 column[i] = entry;
                 entry = better;
@@ -170,7 +174,7 @@ mod tests {
     use crate::{Ode, Span, System};
     use field::{Over, Scalar};
 
-    /// The error at t = 2 after so many equal steps, each with so many rows.
+    /// The error at t = 2 after equal steps with a fixed number of rows.
     fn error(rows: usize, steps: u32, spoil: impl Fn(&mut BaderDeuflhard)) -> f64 {
         let mut method = BaderDeuflhard::new(Jacobian::new(&Bell), &Tolerance::both(1e-2), 1);
         spoil(&mut method);
@@ -208,7 +212,7 @@ mod tests {
         }
     }
 
-    /// x and y on the circle, and z that follows x within 1/RATE.
+    /// A system with a stiff component: x and y move on the unit circle, and z follows x with the rate constant RATE.
     struct Follower;
 
     const RATE: f64 = 1e4;
@@ -226,7 +230,7 @@ mod tests {
 
     impl System for Follower {}
 
-    /// Not the H/(3 r^2) = 1e-9 that a mean of two points leaves in every row.
+    /// The error is smaller than H/(3 r^2) = 1e-9, which a mean of two points would leave in every row.
     #[test]
     fn what_follows_at_once_is_extrapolated_too() {
         let slow = RATE * RATE + 1.0;

@@ -1,4 +1,4 @@
-//! Gauss and Radau IIA collocation over any field: nodes by Newton's iteration, matrices by Legendre polynomials.
+//! Gauss and Radau IIA collocation over any scalar type: nodes by Newton's iteration, matrices by Legendre polynomials.
 //!
 //! Collocation at nodes c_1 .. c_s takes the polynomial u of degree s with u(0) = y and u'(c_i h) = f(u(c_i h)); its
 //! stages are Y_i = y + h sum_j a_ij f(Y_j) with a_ij = integral of the Lagrange polynomial l_j from 0 to c_i.
@@ -6,7 +6,7 @@
 //! * Radau IIA (Ehle, Axelsson 1969): the zeros of P_s - P_{s-1}, c_s = 1; order 2s - 1, L-stable, stiffly accurate.
 //!
 //! Both quadratures are exact up to degree 2s - 2, hence l_j = b_j sum_{k<s} (2k + 1) P_k(c_j) P_k, with P_k shifted to
-//! (0, 1), and a_ij follows from the integrals of P_k without the cancellation of a monomial basis.
+//! (0, 1). The a_ij follow from the integrals of P_k, without the cancellation of a monomial basis.
 
 use crate::Real;
 use field::Scalar;
@@ -22,21 +22,22 @@ pub enum Family {
 #[derive(Clone, Debug)]
 pub struct Collocation<S> {
     pub family: Family,
-    /// c_i.
+    /// The nodes c_i.
     pub nodes: Vec<S>,
-    /// b_i.
+    /// The weights b_i.
     pub weights: Vec<S>,
-    /// a_ij, by rows.
+    /// The coefficients a_ij, row by row.
     pub matrix: Vec<Vec<S>>,
-    /// d with y_1 = y_0 + sum_i d_i (Y_i - y_0), that is b A^-1: this form keeps a stiff law from magnifying Newton's
-    /// error.
+    /// The vector d = b A^-1, with y_1 = y_0 + sum_i d_i (Y_i - y_0). In this form a stiff law does not magnify the
+    /// error of Newton's iteration.
     pub ends: Vec<S>,
-    /// e with h u' = sum_i e_i (Y_i - y_0) at the end for Gauss, at the start for Radau IIA: u' is not f(u) there.
+    /// The vector e with h u' = sum_i e_i (Y_i - y_0), where the defect u' - f(u) is evaluated: at the end of the step
+    /// for Gauss, at its start for Radau IIA.
     pub probe: Vec<S>,
 }
 
 impl<S: Real> Collocation<S> {
-    /// The method with so many stages, at least one.
+    /// The method with `stages` >= 1 stages.
     pub fn new(family: Family, stages: usize) -> Self {
         let nodes = nodes::<S>(family, stages);
         let weights: Vec<S> = nodes.iter().map(|c| weight(family, stages, *c)).collect();
@@ -57,7 +58,7 @@ impl<S: Real> Collocation<S> {
         self.nodes.len()
     }
 
-    /// 2s or 2s - 1.
+    /// The order of convergence: 2s for Gauss, 2s - 1 for Radau IIA.
     pub fn order(&self) -> usize {
         match self.family {
             Family::Gauss => 2 * self.stages(),
@@ -66,7 +67,7 @@ impl<S: Real> Collocation<S> {
     }
 }
 
-/// P_0 .. P_s, shifted to (0, 1): (k + 1) P_{k+1} = (2k + 1) (2c - 1) P_k - k P_{k-1}.
+/// The Legendre polynomials P_0 .. P_s shifted to (0, 1): (k + 1) P_{k+1} = (2k + 1) (2c - 1) P_k - k P_{k-1}.
 fn legendre<S: Scalar>(s: usize, c: S) -> Vec<S> {
     let x = c + c - S::one();
     let mut values = vec![S::one(), x];
@@ -82,7 +83,7 @@ fn integral<S: Real>(values: &[S], c: S, k: usize) -> S {
     if k == 0 { c } else { (values[k + 1] - values[k - 1]) / S::int(4 * k as i64 + 2) }
 }
 
-/// The polynomial whose zeros are the nodes, over any field: P_s for Gauss, P_s - P_(s-1) for Radau IIA.
+/// The polynomial whose zeros are the nodes, at c in (0, 1): P_s for Gauss, P_s - P_(s-1) for Radau IIA.
 pub fn nodal<S: Scalar>(family: Family, stages: usize, c: S) -> S {
     let p = legendre(stages, c);
     match family {
@@ -91,7 +92,7 @@ pub fn nodal<S: Scalar>(family: Family, stages: usize, c: S) -> S {
     }
 }
 
-/// The derivative of the polynomial: (x^2 - 1) P_s' = s (x P_s - P_{s-1}) for x = 2c - 1.
+/// The derivative of [`nodal`], by (x^2 - 1) P_s' = s (x P_s - P_{s-1}) for x = 2c - 1.
 fn nodal_slope<S: Real>(family: Family, s: usize, c: S) -> S {
     let p = legendre(s, c);
     let x = c + c - S::one();
@@ -105,7 +106,7 @@ fn nodal_slope<S: Real>(family: Family, s: usize, c: S) -> S {
     }
 }
 
-/// The nodes in (0, 1), found between the points of a Chebyshev grid by bisection and sharpened by Newton.
+/// The nodes in (0, 1): bracketed by a Chebyshev grid, bisected, then refined by Newton's iteration.
 fn nodes<S: Real>(family: Family, s: usize) -> Vec<S> {
     let fine = 40 * s + 1;
     let grid = |i: usize| 0.5 - 0.5 * (std::f64::consts::PI * (i as f64 + 0.5) / fine as f64).cos();
@@ -142,7 +143,7 @@ fn weight<S: Real>(family: Family, s: usize, c: S) -> S {
     }
 }
 
-/// x with x A = b, by Gauss and Jordan's elimination with pivoting; A is regular for both families.
+/// The solution x of x A = b, by Gauss-Jordan elimination with pivoting; A is regular for both families.
 fn solve_transposed<S: Real>(matrix: &[Vec<S>], right: &[S]) -> Vec<S> {
     let n = right.len();
     let row = |i: usize| matrix.iter().map(|row| row[i]).chain(std::iter::once(right[i])).collect();
@@ -165,7 +166,8 @@ mod tests {
     use super::*;
     use field::DoubleDouble;
 
-    /// The largest |sum_j a_ij c_j^(k-1) - c_i^k / k| and |sum_j b_j c_j^(k-1) - 1/k|, k up to the theoretical order.
+    /// The largest of |sum_j a_ij c_j^(k-1) - c_i^k / k| and |sum_j b_j c_j^(k-1) - 1/k|, for k up to the theoretical
+    /// order.
     fn defect(method: &Collocation<DoubleDouble>) -> f64 {
         let power = |c: DoubleDouble, k: usize| (0..k).fold(DoubleDouble::int(1), |p, _| p * c);
         let moments = |row: &[DoubleDouble], k: usize| {

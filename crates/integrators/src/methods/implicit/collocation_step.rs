@@ -1,13 +1,15 @@
-//! The steps of the collocation methods: Newton's iteration with a matrix in `f64`, residuals in the field of the run.
+//! Steps of the collocation methods: Newton's iteration with a matrix in `f64` and residuals in the scalar type of the
+//! run.
 //!
-//! The unknowns are Z_i = Y_i - y_0. Newton's matrix ([`StageMatrix`]) decides how fast the iteration converges, never its limit:
-//! the residuals are those of the run's field. In double precision its Jacobian is kept over steps while the iteration converges
-//! fast, and its factors while the step hardly changes, as in Hairer and Wanner's RADAU5; in a finer field it holds the
-//! Jacobians of all stages, renewed where that pays.
+//! The unknowns are Z_i = Y_i - y_0. Newton's matrix ([`StageMatrix`]) affects the speed of convergence only, not the
+//! limit. In double precision the Jacobian is reused over steps while the iteration converges fast, and the
+//! factorisation while the step size hardly changes, as in Hairer and Wanner's RADAU5. In a finer scalar type the
+//! matrix has the Jacobians of all stages, renewed where that pays.
 //!
-//! The error is estimated from the defect of the collocation polynomial ([`DefectSpread`]). The variation of the defect and of the Jacobian over
-//! the step adds a part, measured by the smoothness of the solution and by the convergence of Newton's iteration. In a finer field every stage
-//! has its own Jacobian, and convergence measures nothing; there the spectral radius of h J bounds the error, more widely.
+//! The error is estimated from the defect of the collocation polynomial ([`DefectSpread`]). A further term accounts for
+//! the variation of the defect and of the Jacobian over the step; it is estimated from the smoothness of the solution
+//! and the convergence of Newton's iteration. In a finer scalar type each stage has its own Jacobian and the
+//! convergence gives no such estimate; the spectral radius of h J then bounds this term more coarsely.
 
 use crate::law::jacobian::Jacobian;
 use crate::methods::implicit::collocation::{Collocation, Family};
@@ -18,23 +20,23 @@ use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::{Attempt, Cause, Stepper};
 use crate::{Real, Tolerance};
 
-/// Iterations after which a step is shortened.
+/// The step is shortened after so many iterations.
 const MOST_ITERATIONS: usize = 30;
-/// The number of iterations with a kept Jacobian after which it is renewed, and two more for each stage.
+/// A reused Jacobian is renewed after so many iterations, plus two for each stage.
 const MOST_KEPT: usize = 6;
-/// Iterations still to come that make fresh Jacobians pay.
+/// Fresh Jacobians pay if at least so many further iterations are expected.
 const PATIENCE: f64 = 8.0;
-/// The share of the tolerance that Newton's iteration may leave as error.
+/// The error of Newton's iteration, as a fraction of the tolerance.
 const LEFT_BY_NEWTON: f64 = 0.01;
-/// The Jacobian is kept for the next step if the last correction is at most this part of the one before it.
+/// The Jacobian is reused in the next step if the last correction is at most this fraction of the one before.
 const KEEPS_JACOBIAN: f64 = 0.01;
-/// The ratio of two corrections at which the step after a failed iteration aims.
+/// The convergence rate at which the step size after a failed iteration aims.
 const RATE_AIMED_AT: f64 = 0.2;
-/// The ratio assumed at the first correction, before there is one.
+/// The convergence rate assumed at the first correction.
 const FIRST_RATE: f64 = 0.5;
-/// The largest ratio that the next step may be expected to have.
+/// The largest convergence rate expected for the next step.
 const HIGHEST_RATE: f64 = 0.4;
-/// The factors, and the step with them, are kept while the next step could be at most so many times as long.
+/// The factorisation and the step size are kept while the next step could be at most longer by this factor.
 const KEEPS_FACTORS: f64 = 1.2;
 
 pub(crate) struct Implicit<'a, S> {
@@ -43,35 +45,36 @@ pub(crate) struct Implicit<'a, S> {
     jacobian: Jacobian<'a>,
     n: usize,
     z: Vec<S>,
-    /// Z_i of the last step whose iteration converged, and its length: the predictor of the next.
+    /// Z_i of the last step whose iteration converged, and its size: the predictor of the next step.
     known: Vec<f64>,
     known_step: Option<f64>,
     stage: Vec<S>,
     slopes: Vec<S>,
-    /// The slope at the point where the defect is evaluated.
+    /// f at the point where the defect is evaluated.
     probe_slope: Vec<S>,
     correction: Vec<f64>,
     predicted: Vec<f64>,
     matrix: StageMatrix,
-    /// The point of the one Jacobian of all stages, and whether the next step takes another.
+    /// The time of the Jacobian common to all stages; then whether the next step must renew it.
     linearised_at: Option<S>,
     stale: bool,
-    /// The ratio of the last correction to the one before it.
+    /// The convergence rate: the ratio of the last two corrections.
     rate: f64,
-    /// The step for which the factors were made.
+    /// The step size of the current factorisation.
     factorised: Option<f64>,
     spread: DefectSpread,
-    /// g
+    /// The pole parameter g of the error estimate, see [`DefectSpread`].
     pole: f64,
     defect: Vec<f64>,
     plain: Vec<f64>,
     spectrum: SpectralRadius,
-    /// The spectral radius of the last Jacobian, in a field finer than `f64`.
+    /// The spectral radius of the last Jacobian; only in a scalar type finer than `f64`.
     radius: f64,
     accepted: bool,
     /// Whether the last attempt was accepted.
     accepted_before: bool,
-    /// The integral of the spectral radius over the accepted steps, in a field finer than `f64`: a measure of stiffness.
+    /// The integral of the spectral radius over the accepted steps, a measure of stiffness; only in a scalar type finer
+    /// than `f64`.
     pub turns: f64,
 }
 
@@ -114,14 +117,14 @@ impl<'a, S: Real> Implicit<'a, S> {
         }
     }
 
-    /// Starts Newton from the last step's polynomial, extrapolated; from rest in the first step.
+    /// Predicts the stages by extrapolation of the last step's polynomial; with zero in the first step.
     fn predict(&mut self, step: f64) {
         let n = self.n;
         let Some(last) = self.known_step else {
             self.z.fill(S::zero());
             return;
         };
-        // after a rejection the old polynomial starts where the new one does, otherwise where it ends
+        // after a rejection the last polynomial begins at the start of this step, otherwise it ends there
         let begin = if self.accepted { 1.0 } else { 0.0 };
         let nodes = &self.method.nodes;
         let node = |j: usize| nodes[j].approx();
@@ -129,7 +132,7 @@ impl<'a, S: Real> Implicit<'a, S> {
         for i in 0..nodes.len() {
             let at = begin + node(i) * step / last;
             for j in 0..nodes.len() {
-                // the Lagrange polynomial of 0, c_1 .. c_s, which is 1 at c_j
+                // Lagrange polynomials for 0, c_1 .. c_s
                 let others = (0..nodes.len()).filter(|k| *k != j);
                 let weight = others.fold(at / node(j), |w, k| w * (at - node(k)) / (node(j) - node(k)));
                 for c in 0..n {
@@ -147,7 +150,7 @@ impl<'a, S: Real> Implicit<'a, S> {
         self.z.iter_mut().zip(&self.predicted).for_each(|(z, predicted)| *z = S::lift(*predicted));
     }
 
-    /// J_j at every stage, or the one J of a step at its start, and the factors of Newton's matrix.
+    /// Computes J_j at every stage, or J at the start of the step, and factorises Newton's matrix.
     fn linearise(&mut self, tau: S, y: &[S], step: S, meter: &BudgetedRhs<S>) -> Result<(), Cause> {
         let (n, direction) = (self.n, meter.direction.approx());
         let one = self.matrix.is_uncoupled();
@@ -177,7 +180,7 @@ impl<'a, S: Real> Implicit<'a, S> {
         if self.matrix.factorise(step.approx()) { Ok(()) } else { Err(Cause::Singular) }
     }
 
-    /// Makes Newton's matrix for a step, unless the present one serves.
+    /// Factorises Newton's matrix for a step, unless the current factorisation can be reused.
     fn prepare(&mut self, tau: S, y: &[S], step: S, meter: &BudgetedRhs<S>) -> Result<(), Cause> {
         let fresh = self.linearised_at == Some(tau);
         if !self.matrix.is_uncoupled() || self.linearised_at.is_none() || self.stale && !fresh {
@@ -189,7 +192,7 @@ impl<'a, S: Real> Implicit<'a, S> {
         }
     }
 
-    /// One correction of Z; its size in units of the tolerance.
+    /// Applies one Newton correction to Z. Returns its size in units of the tolerance.
     fn correct(&mut self, tau: S, y: &[S], step: S, meter: &BudgetedRhs<S>) -> f64 {
         let n = self.n;
         for (j, slope) in self.slopes.chunks_mut(n).enumerate() {
@@ -218,7 +221,7 @@ impl<'a, S: Real> Implicit<'a, S> {
         size
     }
 
-    /// Newton's iteration from the predicted stages; once more with a Jacobian of this step where it does not converge with a kept
+    /// Newton's iteration from the predictor. If it does not converge with a reused Jacobian, it is repeated with a new
     /// one.
     fn solve(&mut self, tau: S, y: &[S], step: S, meter: &BudgetedRhs<S>) -> Result<(), Cause> {
         self.predict(step.approx());
@@ -232,7 +235,7 @@ impl<'a, S: Real> Implicit<'a, S> {
         self.iterate(tau, y, step, meter)
     }
 
-    /// Newton's iteration to a small part of the tolerance.
+    /// Iterates until the error is [`LEFT_BY_NEWTON`] of the tolerance.
     fn iterate(&mut self, tau: S, y: &[S], step: S, meter: &BudgetedRhs<S>) -> Result<(), Cause> {
         let kept = self.matrix.is_uncoupled();
         let most = if kept { MOST_KEPT + 2 * self.method.stages() } else { MOST_ITERATIONS };
@@ -267,7 +270,7 @@ impl<'a, S: Real> Implicit<'a, S> {
         Err(Cause::Newton)
     }
 
-    /// The error in units of the tolerance, and its order in the step size.
+    /// The estimated error in units of the tolerance, and its order in the step size.
     fn error(&mut self, y: &[S], after: &[S], step: S) -> (f64, f64) {
         let (n, s) = (self.n, self.method.stages());
         for c in 0..n {
@@ -286,8 +289,8 @@ impl<'a, S: Real> Implicit<'a, S> {
             (0..=degree).for_each(|_| self.through_modes());
             let pairs = self.defect.iter_mut().zip(&self.plain);
             pairs.for_each(|(defect, before)| *defect = small * before - large * *defect);
-            // the ratio of corrections shows how much the Jacobian varies; a change in proportion to the time is hidden from M, its square
-            // is not
+            // the convergence rate measures the variation of the Jacobian; a variation linear in time does not
+            // contribute since M is orthogonal to it, its square does
             self.tolerance.norm(y, after, |c| self.defect[c]) + filtered * (varies + (2.0 * self.rate).powi(2)).min(1.0)
         } else {
             let half_turn = 0.5 * step.approx() * self.radius;
@@ -298,7 +301,7 @@ impl<'a, S: Real> Implicit<'a, S> {
         (error, power as f64)
     }
 
-    /// Multiplies the defect by w = ((1 - g z)^-1 - 1) / g, and keeps the old value.
+    /// Multiplies the defect by w = ((1 - g z)^-1 - 1) / g, and stores the old value in `plain`.
     fn through_modes(&mut self) {
         let pole = self.pole;
         self.plain.copy_from_slice(&self.defect);
@@ -313,7 +316,8 @@ impl<S: Real> Stepper<S> for Implicit<'_, S> {
         if let Err(cause) = self.solve(tau, before, step, meter) {
             let factor = match cause {
                 Cause::Undefined => 0.25,
-                // the Jacobian changes in proportion to the step, and the residual of a correction as its square
+                // the variation of the Jacobian is proportional to the step size, the residual after a correction to
+                // its square
                 Cause::Newton if self.matrix.is_uncoupled() => (RATE_AIMED_AT / self.rate).sqrt().clamp(0.1, 0.5),
                 _ => 0.5,
             };

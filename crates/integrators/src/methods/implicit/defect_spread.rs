@@ -1,48 +1,49 @@
-//! The error at the end of a step that follows from the defect of the collocation polynomial.
+//! Error estimate of a collocation step from the defect of the collocation polynomial.
 //!
-//! The defect d = u' - f(u) of the polynomial u is evaluated where it is not zero: at the end of the step for Gauss, at its start for Radau
-//! IIA, whose end is a node. Over the step it spreads as the nodal polynomial M. By Alekseev and Groebner the end is then wrong by h int
-//! M(t) exp(z (1 - t)) dt d with z = h J and M scaled to 1 at that point. M is orthogonal to all polynomials below degree m (s for Gauss,
-//! s - 1 for Radau IIA): the integral is a z^m where z is small, with a = c / prod_{k <= m} 2 (2 k - 1) and c = 1 / (2 s + 1) for Gauss, 1 /
-//! (2 (2 s - 1)) for Radau. Where z is large it falls as 1 / z for Gauss, and as s / z^2 for Radau, whose M is zero at the end. With w = z /
-//! (1 - g z) and the pole 1 / g of the present factors,
+//! The defect d = u' - f(u) of the polynomial u is evaluated where it is not zero: at the end of the step for Gauss, at
+//! its start for Radau IIA, whose end is a node. Over the step the defect is proportional to the nodal polynomial M. By
+//! the formula of Alekseev and Groebner the error at the end is h int M(t) exp(z (1 - t)) dt d with z = h J and M
+//! scaled to 1 at that point. M is orthogonal to all polynomials below degree m (s for Gauss, s - 1 for Radau IIA). For
+//! small z the integral is a z^m with a = c / prod_{k <= m} 2 (2 k - 1), c = 1 / (2 s + 1) for Gauss, c = 1 / (2 (2 s -
+//! 1)) for Radau. For large z it is 1 / z for Gauss, and s / z^2 for Radau, whose M is zero at the end. With w = z / (1
+//! - g z) and the pole 1 / g of the present factorisation, the function
 //!
 //! w^m (a - b w) / (1 - g z)^p,  p = 1 or 2,
 //!
-//! has both limits. Modes that decay fast then do not hide the order of those which do not.
+//! has both limits. Fast decaying modes then do not hide the order of the slow ones.
 
 use crate::methods::implicit::collocation::Family;
 
 /// The coefficients of the rational function.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DefectSpread {
-    /// m
+    /// The degree m.
     pub degree: usize,
-    /// p
+    /// The exponent p.
     pub filters: usize,
-    /// a
+    /// The coefficient a.
     pub small: f64,
-    /// b
+    /// The coefficient b.
     pub large: f64,
-    /// c: the part of a defect that varies over the step as M does.
+    /// The coefficient c: the component along M of a defect that varies over the step.
     pub plain: f64,
 }
 
 impl DefectSpread {
-    /// The function with the pole 1 / g.
+    /// The function with the pole 1 / g, where g is `pole`.
     pub fn new(family: Family, stages: usize, pole: f64) -> Self {
         let (spread, limit) = DefectSpread::limits(family, stages);
         let large = (limit * pole.powi((spread.degree + spread.filters) as i32) - spread.small).max(0.0) * pole;
         DefectSpread { large, ..spread }
     }
 
-    /// The g with which b is zero.
+    /// The value of g for which b is zero.
     pub fn pole(family: Family, stages: usize) -> f64 {
         let (spread, limit) = DefectSpread::limits(family, stages);
         (spread.small / limit).powf(1.0 / (spread.degree + spread.filters) as f64)
     }
 
-    /// Without b, and the limit of the integral times z^p where z is large.
+    /// The coefficients with b = 0, and the limit of the integral times z^p for large z.
     fn limits(family: Family, stages: usize) -> (Self, f64) {
         let (degree, filters, plain, limit) = match family {
             Family::Gauss => (stages, 1, 1.0 / (2 * stages + 1) as f64, 1.0),
@@ -59,7 +60,7 @@ mod tests {
     use crate::methods::implicit::collocation::{Collocation, nodal};
     use crate::methods::implicit::stage_matrix::StageMatrix;
 
-    /// int M(t) exp(z (1 - t)) dt over (0, 1), M = 1 where the defect is seen, by Simpson's rule.
+    /// The integral int M(t) exp(z (1 - t)) dt over (0, 1) by Simpson's rule, with M = 1 where the defect is evaluated.
     fn exact(family: Family, stages: usize, z: f64) -> f64 {
         let seen = if family == Family::Gauss { 1.0 } else { 0.0 };
         let value = |t: f64| nodal(family, stages, t) / nodal(family, stages, seen) * (z * (1.0 - t)).exp();

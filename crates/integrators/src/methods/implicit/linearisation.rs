@@ -1,17 +1,17 @@
-//! A law made linear at the start of a step, as the linearly implicit methods need it.
+//! Linearisation of a law at the start of a step, for linearly implicit methods.
 
 use crate::law::jacobian::Jacobian;
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::Cause;
 
-/// J = df/dy, f_t = df/dt and f, kept over rejections.
+/// J = df/dy, f_t = df/dt and f at the start of a step; reused after a rejection.
 pub(crate) struct Linearised<'a> {
     jacobian: Jacobian<'a>,
-    /// J, row after row.
+    /// J, row by row.
     pub matrix: Vec<f64>,
-    /// f_t
+    /// The derivative f_t.
     pub drift: Vec<f64>,
-    /// f
+    /// The rates f.
     pub slope: Vec<f64>,
     at: Option<f64>,
 }
@@ -22,14 +22,14 @@ impl<'a> Linearised<'a> {
         Linearised { jacobian, matrix: vec![0.0; dimension * dimension], drift: zeros(), slope: zeros(), at: None }
     }
 
-    /// Linearises the law at the start of a step; false where that is done already.
+    /// Linearises the law at the start of a step. Returns false if this was done already.
     pub fn at(&mut self, tau: f64, y: &[f64], meter: &BudgetedRhs<f64>) -> bool {
         if self.at == Some(tau) {
             return false;
         }
         let t = meter.time(tau);
         self.jacobian.matrix(t, y, &mut self.matrix);
-        // in the run's own time f and t both change sign backwards: df/dy does, df/dt does not
+        // for runs backwards in time f and t change their sign: df/dy does too, df/dt does not
         self.matrix.iter_mut().for_each(|entry| *entry *= meter.direction);
         self.jacobian.time_derivatives(t, y, &mut self.drift);
         meter.count_jacobian();
@@ -38,7 +38,7 @@ impl<'a> Linearised<'a> {
         true
     }
 
-    /// Why a matrix made of J could not be factorised.
+    /// The reason why a matrix made of J could not be factorised.
     pub fn unfactorised(&self) -> Cause {
         if self.matrix.iter().all(|entry| entry.is_finite()) { Cause::Singular } else { Cause::Undefined }
     }

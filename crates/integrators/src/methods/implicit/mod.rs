@@ -1,4 +1,4 @@
-//! Implicit methods: for stiff laws, and for the most digits.
+//! Implicit methods, for stiff laws and for results with many digits.
 
 pub(super) mod bader_deuflhard;
 pub(crate) mod collocation;

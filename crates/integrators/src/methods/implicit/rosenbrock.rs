@@ -1,10 +1,12 @@
 //! Rodas4: a linearly implicit Rosenbrock pair of order 4(3) with 6 stages, stiffly accurate and L-stable.
 //!
-//! No Newton iteration: with J = df/dy, g = 1/4 and one factorisation of 1/(h g) I - J the stages U_i solve
+//! The method has no Newton iteration. With J = df/dy, g = 1/4 and one factorisation of 1/(h g) I - J the stages U_i
+//! solve
 //! (1/(h g) I - J) U_i = f(t + a_i h, y + sum_j A_ij U_j) + sum_j C_ij U_j / h + h d_i df/dt,
-//! the last two with y_5 = y + sum A_5j U_j and y_6 = y_5 + U_5; the result is y_6 + U_6, and U_6 its error.
-//! Method and coefficients: Hairer and Wanner, Solving Ordinary Differential Equations II (1996), IV.7, code RODAS. No
-//! maintained crate has it. The coefficients are known to 16 digits: it runs in `f64` only.
+//! where the last two have y_5 = y + sum A_5j U_j and y_6 = y_5 + U_5. The result is y_6 + U_6, and U_6 the error
+//! estimate.
+//! Method and coefficients: Hairer and Wanner, Solving Ordinary Differential Equations II (1996), IV.7, code RODAS. The
+//! coefficients are known to 16 digits, therefore the method runs in `f64` only.
 
 use crate::Tolerance;
 use crate::law::jacobian::Jacobian;
@@ -15,7 +17,7 @@ use crate::run::stepping::{Attempt, Cause, Stepper};
 
 const STAGES: usize = 6;
 
-/// The coefficients, in the transformed variables that need no product with J.
+/// The coefficients in transformed variables, which avoid products with J.
 #[derive(Clone, Copy)]
 struct Coefficients {
     gamma: f64,
@@ -23,9 +25,9 @@ struct Coefficients {
     a: [[f64; 4]; 5],
     /// C_ij.
     c: [[f64; 5]; 6],
-    /// a_i, the times of the stages in units of the step.
+    /// The nodes a_i.
     times: [f64; 6],
-    /// d_i, the share of df/dt.
+    /// The coefficients d_i of df/dt.
     drift: [f64; 6],
 }
 
@@ -76,13 +78,13 @@ impl<'a> Rodas4<'a> {
         }
     }
 
-    /// Factors of 1/(h g) I - J; false if singular or not finite.
+    /// Factorises 1/(h g) I - J. Returns false if the matrix is singular or not finite.
     fn factorise(&mut self, step: f64, meter: &BudgetedRhs<f64>) -> bool {
         meter.count_factorisation();
         self.matrix.factorise(1.0 / (step * self.coefficients.gamma))
     }
 
-    /// U_i, from the point where f is taken and the stages before.
+    /// Computes U_i from the argument of f and the earlier stages.
     fn stage(&mut self, i: usize, tau: f64, step: f64, meter: &BudgetedRhs<f64>) {
         let Coefficients { c, times, drift, .. } = &self.coefficients;
         if i == 0 {

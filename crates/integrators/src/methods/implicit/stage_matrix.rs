@@ -1,28 +1,30 @@
-//! The matrix of Newton's corrections to the stages, I - h A (x) J, and its factors.
+//! Newton's matrix for the stages of a collocation method, I - h A (x) J, and its factorisation.
 //!
-//! In double precision evaluations are cheap and elimination is dear: one Jacobian serves all stages and some steps, and the matrix
-//! falls into one for each eigenvalue of A ([`stage_modes`]). With s stages and n states elimination then costs n^3 and 4 n^3 for
-//! each complex pair instead of (s n)^3. In a finer field an evaluation costs more than the elimination, which goes on in double
+//! In double precision evaluations are cheap and elimination is expensive: one Jacobian serves all stages and several
+//! steps, and the matrix decouples into one block for each eigenvalue of A ([`stage_modes`]). With s stages and n
+//! states elimination then costs n^3 for each real eigenvalue and 4 n^3 for each complex pair, instead of (s n)^3. In a
+//! finer scalar type an evaluation costs more than the elimination, which remains in double precision: each stage has
+//! its own Jacobian, and fewer corrections are needed.
 //! precision: there every stage has its own Jacobian, and few corrections are left to make.
 
 use super::stage_modes::{StageMode, stage_modes};
 use crate::newton::{ComplexLu, Condensation, Lu, Shifted};
 
-/// The factors of (lambda / h) I - J.
+/// The factorisation of (lambda / h) I - J.
 enum Factors {
     Real(Lu),
     Complex(ComplexLu),
 }
 
-/// The matrices of a method by its eigenvalues, and the buffers of a solution.
+/// The decoupled matrices, one for each eigenvalue, with buffers.
 struct Uncoupled {
     condensation: Condensation,
-    /// Whether the Jacobian is one that was not condensed yet.
+    /// Whether the Jacobian has not been condensed yet.
     renewed: bool,
     modes: Vec<(StageMode, Factors)>,
     real: Vec<f64>,
     imaginary: Vec<f64>,
-    /// Right sides and solutions of the equations that are left.
+    /// Right-hand sides and solutions of the condensed equations.
     left: [Vec<f64>; 2],
     sum: Vec<f64>,
 }
@@ -31,19 +33,19 @@ pub(crate) struct StageMatrix {
     n: usize,
     matrix: Vec<Vec<f64>>,
     step: f64,
-    /// J of the step, or J_j of every stage, by rows.
+    /// J of the step, or J_j of every stage, row by row.
     jacobians: Vec<f64>,
     uncoupled: Option<Uncoupled>,
-    /// The whole matrix, where every stage has its own Jacobian.
+    /// The matrix of all stages, where every stage has its own Jacobian.
     whole: Option<Lu>,
-    /// 1/(h g) I - J with a g of its own, where no eigenvalue is real.
+    /// The matrix 1/(h g) I - J of the error estimate, for methods without a real eigenvalue.
     filter: Option<Shifted>,
     own_pole: f64,
 }
 
 impl StageMatrix {
-    /// For a law with n states; `fine` where evaluations cost more than elimination. A defect is filtered with the pole 1 / g of a real
-    /// eigenvalue, or else with its own.
+    /// The matrix for a law with n states. `fine`: every stage has its own Jacobian. The defect is filtered with the
+    /// pole 1 / g of a real eigenvalue, or with g = `own_pole` if there is none.
     pub fn new(matrix: Vec<Vec<f64>>, n: usize, fine: bool, own_pole: f64) -> Self {
         let stages = matrix.len();
         let modes = if fine { None } else { stage_modes(&matrix) };
@@ -75,18 +77,18 @@ impl StageMatrix {
         }
     }
 
-    /// Whether one Jacobian serves all stages.
+    /// Whether one Jacobian serves all stages, with decoupled equations.
     pub fn is_uncoupled(&self) -> bool {
         self.uncoupled.is_some()
     }
 
-    /// The Jacobians to be filled, by rows: one, or one for each stage.
+    /// The buffers of the Jacobians, row by row: one, or one for each stage.
     pub fn jacobians(&mut self) -> std::slice::ChunksMut<'_, f64> {
         self.uncoupled.iter_mut().for_each(|uncoupled| uncoupled.renewed = true);
         self.jacobians.chunks_mut(self.n * self.n)
     }
 
-    /// J, or that of the first stage.
+    /// J, or the Jacobian of the first stage.
     pub fn jacobian(&self) -> &[f64] {
         &self.jacobians[..self.n * self.n]
     }
@@ -95,7 +97,7 @@ impl StageMatrix {
         self.jacobians.iter().all(|slope| slope.is_finite())
     }
 
-    /// Makes the factors for a step; false if a matrix is singular.
+    /// Factorises the matrices for a step size. Returns false if one is singular.
     pub fn factorise(&mut self, step: f64) -> bool {
         self.step = step;
         let n = self.n;
@@ -130,7 +132,7 @@ impl StageMatrix {
         whole && modes && filter
     }
 
-    /// Replaces a residual of the stages by the correction.
+    /// Replaces the residuals of the stages by the corrections.
     pub fn solve(&mut self, residual: &mut [f64]) {
         if let Some(whole) = &mut self.whole {
             whole.solve(residual);
@@ -167,7 +169,7 @@ impl StageMatrix {
         residual.copy_from_slice(sum);
     }
 
-    /// g of [`Self::filter`].
+    /// The pole parameter g of [`Self::filter`].
     pub fn pole(&self) -> f64 {
         let real = self.uncoupled.iter().flat_map(|uncoupled| &uncoupled.modes).find(|(mode, _)| mode.is_real());
         real.map_or(self.own_pole, |(mode, _)| mode.eigenvalue.re.recip())

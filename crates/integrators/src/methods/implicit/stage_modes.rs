@@ -1,16 +1,16 @@
-//! The stages of a collocation method, uncoupled: eigenvalues and eigenvectors of its matrix.
+//! Decoupling of the stages of a collocation method by the eigenvalues and eigenvectors of its matrix.
 //!
-//! With A^-1 = V Lambda V^-1 the linear system (I - h A (x) J) x = r of all stages falls into one of the size of the law for each
-//! eigenvalue, (lambda / h I - J) w = (lambda / h) V^-1 r, and x = V w (Butcher 1976, Bickart 1977; Hairer and Wanner, Solving
-//! ODE II, IV.8). Eigenvalues are real or come in conjugate pairs, of which one member is enough.
+//! With A^-1 = V Lambda V^-1 the linear system (I - h A (x) J) x = r decouples into one system of the size of the law
+//! for each eigenvalue, (lambda / h I - J) w = (lambda / h) V^-1 r, and x = V w (Butcher 1976, Bickart 1977; Hairer and
+//! Wanner, Solving ODE II, IV.8). Of each complex conjugate pair only one system is needed.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-/// One real eigenvalue, or one of a conjugate pair: the one with the positive imaginary part.
+/// A real eigenvalue, or that of a conjugate pair with positive imaginary part, with its vectors.
 #[derive(Clone, Debug)]
 pub(crate) struct StageMode {
     pub eigenvalue: Complex<f64>,
-    /// A column of V, doubled for a pair: the pair contributes the real part of its product with w.
+    /// The column of V, doubled for a pair: the pair contributes the real part of the product with w.
     pub shape: Vec<Complex<f64>>,
     /// The row of V^-1.
     pub part: Vec<Complex<f64>>,
@@ -22,13 +22,15 @@ impl StageMode {
     }
 }
 
-/// Steps of inverse iteration, each of which gains all the digits that rounding lets it.
+/// The number of steps of inverse iteration; each converges up to rounding.
 const SHARPENINGS: usize = 3;
 
-/// The largest error allowed in A and in the identity, put together again from the modes: Newton's corrections gain no digits beyond it.
+/// The largest allowed error in A and in the identity when reassembled from the modes. It limits the digits gained per
+/// Newton correction.
 const LARGEST_ERROR: f64 = 1e-6;
 
-/// The modes of a method by its matrix A; nothing where rounding leaves no independent eigenvectors, from about 14 stages on.
+/// The modes of a method from its matrix A. `None` where rounding makes the eigenvectors dependent, from about 14
+/// stages on.
 pub(crate) fn stage_modes(matrix: &[Vec<f64>]) -> Option<Vec<StageMode>> {
     let stages = matrix.len();
     let inverse = DMatrix::from_fn(stages, stages, |i, j| matrix[i][j]).try_inverse()?;
@@ -49,7 +51,7 @@ pub(crate) fn stage_modes(matrix: &[Vec<f64>]) -> Option<Vec<StageMode>> {
     (error(matrix, &modes) < LARGEST_ERROR).then_some(modes)
 }
 
-/// The largest error of A and of the identity as the modes have them.
+/// The largest error in A and in the identity when reassembled from the modes.
 fn error(matrix: &[Vec<f64>], modes: &[StageMode]) -> f64 {
     let entry = |i: usize, j: usize, power: i32| -> f64 {
         modes.iter().map(|mode| (mode.shape[i] * mode.part[j] * mode.eigenvalue.powi(power)).re).sum()
@@ -62,14 +64,14 @@ fn error(matrix: &[Vec<f64>], modes: &[StageMode]) -> f64 {
     errors.fold(0.0, f64::max)
 }
 
-/// An eigenvalue beside a guess, with its vector of length 1.
+/// An eigenvalue near a guess with its unit eigenvector, by inverse iteration.
 fn sharpened(matrix: &DMatrix<Complex<f64>>, guess: Complex<f64>) -> Option<(Complex<f64>, DVector<Complex<f64>>)> {
     let stages = matrix.nrows();
     let real = guess.im.abs() <= 1e-7 * guess.norm();
     let mut vector = DVector::from_fn(stages, |i, _| Complex::new(1.0 / (stages + i) as f64, 0.0)).normalize();
     let mut eigenvalue = if real { Complex::new(guess.re, 0.0) } else { guess };
     for _ in 0..SHARPENINGS {
-        // beside the eigenvalue: on it the matrix would be singular
+        // exactly at the eigenvalue the matrix would be singular
         let shift = eigenvalue * (1.0 + 1e-10);
         let shifted = matrix - DMatrix::from_diagonal_element(stages, stages, shift);
         let grown = shifted.lu().solve(&vector)?;

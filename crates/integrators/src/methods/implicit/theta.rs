@@ -1,6 +1,6 @@
 //! Backward Euler and the implicit midpoint rule with a constant step, for stiff laws.
 //!
-//! One stage, Y = y + c h f(t + c h, Y), and y + (Y - y) / c:
+//! The methods have one stage, Y = y + c h f(t + c h, Y), and the result y + (Y - y) / c:
 //! * backward Euler, c = 1: order 1, L-stable;
 //! * the implicit midpoint rule, c = 1/2: order 2, A-stable, symmetric, symplectic (Gauss with one stage).
 
@@ -12,7 +12,7 @@ use crate::run::stepping::{Attempt, Cause, Stepper};
 
 pub(crate) struct Theta<'a, S> {
     pub step: S,
-    /// c
+    /// The node c.
     node: S,
     jacobian: Jacobian<'a>,
     matrix: Vec<f64>,
@@ -38,7 +38,7 @@ impl<'a, S: Real> Theta<'a, S> {
         }
     }
 
-    /// The factors of 1/(c h) I - J at the stage.
+    /// Factorises 1/(c h) I - J at the stage.
     fn linearise(&mut self, tau: S, reach: S, meter: &BudgetedRhs<S>) -> Result<(), Cause> {
         self.plain.iter_mut().zip(&self.stage).for_each(|(plain, y)| *plain = y.approx());
         self.jacobian.matrix(meter.time(tau).approx(), &self.plain, &mut self.matrix);
@@ -52,7 +52,7 @@ impl<'a, S: Real> Theta<'a, S> {
         if self.newton_matrix.factorise(reach.approx().recip()) { Ok(()) } else { Err(Cause::Singular) }
     }
 
-    /// Solves for the stage, from its present value.
+    /// Newton's iteration for the stage, from its present value.
     fn iterate(&mut self, tau: S, before: &[S], reach: S, meter: &BudgetedRhs<S>) -> Result<(), Cause> {
         let mut newton = Newton::new();
         loop {

@@ -1,29 +1,30 @@
-//! A step from a point at which the law has rates but no series: at a zero of a root, as the speed |v| of a body at
-//! rest.
+//! A step from a state where the law has rates but no Taylor series: at a zero of a square root, such as the speed |v|
+//! of a body at rest.
 //!
-//! Beside the point the law is smooth along the motion: one short step by another method is enough.
+//! Near this state the law is smooth along the motion, so that one short step by another method suffices.
 
 use crate::methods::explicit::gragg::GraggBulirschStoer;
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::{Attempt, Cause, Stepper};
 use crate::{Real, Tolerance};
 
-/// The part of the step at hand that is taken: the cubic through its ends is then as good as the step itself.
+/// The length of the step as a fraction of the proposed step: the cubic interpolant through its ends is then as
+/// accurate as the step.
 const SHORT: f64 = 1e-5;
 
-/// The step with its ends.
+/// The step, with the states at its ends.
 pub(super) struct Departure<S> {
     method: GraggBulirschStoer<S>,
-    /// The time at which it begins.
+    /// The time at its beginning.
     from: S,
     length: S,
-    /// States at its ends, and their rates.
+    /// States at both ends, then the rates there.
     states: [Vec<S>; 2],
     rates: [Vec<S>; 2],
 }
 
 impl<S: Real> Departure<S> {
-    /// The step of a law with so many states, not tried from anywhere yet.
+    /// A step for a law with `states` states, not yet attempted.
     pub fn new(tolerance: &Tolerance, states: usize) -> Self {
         let zeros = || [vec![S::zero(); states], vec![S::zero(); states]];
         let nowhere = S::zero() / S::zero();
@@ -36,7 +37,7 @@ impl<S: Real> Departure<S> {
         }
     }
 
-    /// Tries the step; the first try only asks for a short step.
+    /// Attempts the step. The first call at a time only requests a short step.
     pub fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &BudgetedRhs<S>) -> Attempt {
         if self.from != tau {
             self.from = tau;
@@ -53,7 +54,7 @@ impl<S: Real> Departure<S> {
         attempt
     }
 
-    /// The cubic through both ends with their rates.
+    /// The cubic Hermite interpolant at the time `passed` after the beginning.
     pub fn between(&self, passed: S, state: &mut [S]) {
         let part = passed / self.length;
         let rest = S::one() - part;

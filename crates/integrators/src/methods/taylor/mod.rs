@@ -1,8 +1,8 @@
-//! The Taylor method: order by the tolerance, step size by the last two terms.
+//! Taylor's method: the order follows from the tolerance, the step size from the last two terms.
 //!
-//! y(t + h) = sum_k a_k h^k up to an order p that grows with the logarithm of the tolerance, with the step that makes
-//! the last two terms just as large as the tolerance allows (Jorba and Zou 2005). The polynomial is the dense output: an
-//! output costs one Horner scheme and no step.
+//! y(t + h) = sum_k a_k h^k up to an order p that grows with the logarithm of the tolerance. The step size makes the
+//! last two terms as large as the tolerance allows (Jorba and Zou 2005). The polynomial is the dense output: an output
+//! costs one evaluation by Horner's scheme.
 
 mod departure;
 mod rounding;
@@ -18,7 +18,7 @@ pub(crate) use step::reach;
 pub use step::taylor_order;
 pub use transition::{Transition, transition};
 
-/// The Taylor method on one system, for any number of runs: a run allocates nothing.
+/// Taylor's method for one system, for any number of runs. A run allocates no memory.
 #[derive(Clone, Debug)]
 pub struct Taylor<T> {
     source: T,
@@ -28,27 +28,27 @@ pub struct Taylor<T> {
 }
 
 impl<T> Taylor<T> {
-    /// The method with the order that suits the tolerance.
+    /// The method with the optimal order for the tolerance, see [`taylor_order`].
     pub fn new(source: T, tolerance: &Tolerance) -> Self {
         let order = taylor_order(tolerance.relative);
         let rounding = Rounding::new(order, tolerance.relative);
         Taylor { source, tolerance: tolerance.clone(), order, rounding }
     }
 
-    /// The order of the last term.
+    /// The order p of the series.
     pub fn order(&self) -> usize {
         self.order
     }
 
-    /// The method with another order.
+    /// The method with another order, at least 2.
     pub fn with_order(mut self, order: usize) -> Self {
         self.order = order.max(2);
         self
     }
 
-    /// The longest step that the series through (t, y) allows; NaN where the series is undefined.
+    /// The largest step size for the series through (t, y); NaN where the series is undefined.
     ///
-    /// In a field finer than `f64` only the first orders need all of its digits: see [`rounding`].
+    /// In a scalar type finer than `f64` only the low orders need all digits, see [`rounding`].
     #[inline]
     fn reach<S: Real>(&mut self, time: S, y: &[S]) -> f64
     where
@@ -61,12 +61,12 @@ impl<T> Taylor<T> {
             self.allowed(y)
         };
         let shown = self.source.shown();
-        // NaN stays NaN, which `min` would drop
+        // `min` would drop a NaN
         if shown < reach { shown } else { reach }
     }
 
-    /// The longest step that the series allows: with s_k the largest coefficient of order k in units of the allowed error,
-    /// the smaller one of s_k^(-1/k), k = p - 1, p.
+    /// The largest step size that the tolerance allows: the smaller one of s_k^(-1/k) for k = p - 1 and k = p, where
+    /// s_k is the largest coefficient of order k in units of the allowed error.
     #[inline]
     fn allowed<S: Real>(&self, y: &[S]) -> f64
     where
@@ -77,7 +77,7 @@ impl<T> Taylor<T> {
         let mut compare = |absolute: f64, y: S, last: S, before: S| {
             let share = 1.0 / (absolute + self.tolerance.relative * y.approx().abs());
             let (a, b) = (last.approx().abs() * share, before.approx().abs() * share);
-            // `max` drops NaN, a sum does not
+            // `max` drops a NaN, a sum does not
             s_last = if a > s_last { a } else { s_last };
             s_before = if b > s_before { b } else { s_before };
             sum += a + b;
@@ -96,8 +96,8 @@ impl<T> Taylor<T> {
         reach(self.order, s_last, s_before)
     }
 
-    /// Why the last expansion has terms that are not finite: where the rates are finite, terms of high order overflow because a
-    /// singularity is nearer than any step.
+    /// The cause of an expansion with terms that are not finite. If the rates are finite, terms of high order
+    /// overflowed: a singularity is nearer than any step.
     fn beyond<S: Real>(&self) -> Cause
     where
         T: TaylorSeries<S>,
@@ -106,10 +106,10 @@ impl<T> Taylor<T> {
         if rates.iter().all(|rate| rate.finite()) { Cause::Error } else { Cause::Undefined }
     }
 
-    /// Carries the state from one time to another, forwards or backwards, and returns the number of steps.
+    /// Integrates the state from one time to another, forwards or backwards. Returns the number of steps.
     ///
     /// # Errors
-    /// [`Failure`] says why the run ended, and `state` holds where.
+    /// [`Failure`] if the run ends early; `state` is then the last valid state.
     pub fn propagate(&mut self, from: f64, to: f64, state: &mut [f64]) -> Result<u64, Failure>
     where
         T: TaylorSeries<f64>,
@@ -135,19 +135,19 @@ impl<T> Taylor<T> {
     }
 }
 
-/// One run of the method, for the loop around the steps.
+/// The method as a [`Stepper`].
 pub(crate) struct TaylorStepper<S, T> {
     method: Taylor<T>,
-    /// The beginning of the present series, and its longest step.
+    /// The expansion point of the present series, and its largest step size.
     expanded_at: Option<S>,
     reach: f64,
     direction: S,
-    /// The state within a step, the rates of the law there, and those of the series.
+    /// Buffers: the state within a step, the rates of the law there, and those of the series.
     within: [Vec<S>; 3],
-    /// The step from a point without a series, if the run has come to one; whether it was the last step.
+    /// The step from a state without a series, if there was one; then whether it was the last step.
     departure: Option<Departure<S>>,
     departed: bool,
-    /// Steps in a row that ended on another branch of the law than they began on.
+    /// The number of steps in a row that ended on another branch of the law.
     astray: u32,
 }
 
@@ -166,19 +166,21 @@ impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {
     }
 }
 
-/// Rates of a series that differ from those of the law over a step by so many times the allowed error belong to another
-/// branch.
+/// If the rates of the series and of the law differ over a step by more than so many times the allowed error, the law
+/// has changed its branch.
 const OFF: f64 = 1e3;
 
-/// Differences below so many roundings of the largest component belong to none: the rates of a body that friction holds are rounding.
+/// Differences below so many roundings of the largest component are ignored: the rates of a body that friction holds at
+/// rest are rounding errors.
 const NOISE: f64 = 64.0;
 
-/// A motion that crosses over to another branch does so in a few steps. One that ends so many steps in a row on another branch has come to
-/// the end of its law, such as the bottom of a tank, and is turned back by each series within the tolerance.
+/// The largest number of steps in a row that may end on another branch. A motion that crosses to another branch needs a
+/// few; one that needs more has reached the end of its law, such as the bottom of a tank, and each series turns it back
+/// within the tolerance.
 const MOST_ASTRAY: u32 = 12;
 
 impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {
-    /// Whether the rates of the series are those of the law, in the middle of a step and at its end.
+    /// Whether the rates of the series agree with those of the law in the middle of a step and at its end.
     fn follows(&mut self, (tau, step): (S, S), meter: &BudgetedRhs<S>) -> bool {
         let TaylorStepper { method, direction, within: [state, rates, own], astray, .. } = self;
         let states = method.source.coefficients(0).len();
@@ -240,7 +242,7 @@ impl<S: Real, T: TaylorSeries<S>> Stepper<S> for TaylorStepper<S, T> {
         }
         self.departed = false;
         if self.method.source.has_branches() && !self.follows((tau, step), meter) {
-            // the same series is tried over a shorter step
+            // the series is reused over a shorter step
             self.reach = step.approx() / 4.0;
             return Attempt::Rejected { next: self.reach, cause: Cause::Error };
         }

@@ -1,80 +1,81 @@
-//! The number of orders of a series in a finer field that need all of its digits.
+//! The number of orders of a Taylor series in double-double that need all digits; higher orders are computed in `f64`.
 //!
-//! The term of order k is of the size of the tolerance^(k/p): high orders need a few digits only, fewer than `f64` has. With d the
-//! relative error of a rounded term, all digits are needed by those orders for which
+//! The term of order k is of the size tolerance^(k/p): high orders need few digits only. If d is the relative error of
+//! a term computed in `f64`, all digits are needed for those orders with
 //!
-//! d |a_k| h^k > the error allowed in a step.
+//! d |a_k| h^k > allowed error of a step.
 //!
-//! The law decides how large d is: products that cancel may be a thousand times as large as their sum. Therefore d is measured,
-//! with terms that were found with more orders in full: at the first step, after some steps, and wherever steps or terms are no
-//! longer of the size that they had there. At the knees of diodes that is every few steps.
+//! The law determines d: products that cancel may be a thousand times as large as their sum. Therefore d is measured by
+//! comparison with a series with more orders in full precision: at the first step, then regularly, and whenever the
+//! step size or the sizes of the terms have changed. At the knees of diode characteristics this is needed every few
+//! steps.
 
 use super::{Taylor, TaylorSeries};
 use crate::Real;
 
-/// The least relative error: a term's own rounding, and that of some terms from which it comes.
+/// The smallest assumed relative error of a term: its own rounding and that of the terms it is computed from.
 const LEAST: f64 = 8.0 * f64::EPSILON;
 
-/// Safety factor of a measured error, and the share of the error before it below which the new one does not fall.
+/// Safety factor of a measured error, and the largest factor by which the estimate may decrease at once.
 const TIMES: f64 = 16.0;
 const KEPT: f64 = 0.5;
 
-/// The number of steps for which a measurement holds, and the largest ratios for them: of longer and of shorter steps, and of
-/// sizes of terms. Terms of high order are rounded more, for they come from more terms, and count the less the shorter a step is.
+/// The number of steps for which a measurement is valid, and the largest changes of the step size (up and down) and of
+/// the terms. Terms of high order have larger rounding errors, but shorter steps reduce their weight.
 const STEPS: u32 = 32;
 const LONGER: f64 = 2.0;
 const SHORTER: f64 = 4.0;
 const LARGER: f64 = 10.0;
 
-/// A measurement holds for orders in full that differ by at most this number: where products cancel, d may double from one
-/// order to the next.
+/// A measurement is valid for numbers of full orders that differ by at most this number: where products cancel, d may
+/// double from one order to the next.
 const NEAR: usize = 2;
 
-/// Orders that are in full beyond the last one where rounding is measured, and orders beyond it whose terms are
-/// examined elsewhere.
+/// The number of further full orders in a measurement, and the number of further orders whose terms are checked between
+/// measurements.
 const MORE: usize = 4;
 const WEIGHED: usize = 8;
 
-/// The orders in full are chosen for this part of the allowed error of a step, and a step is accepted with all of it: the
-/// next may need one more.
+/// The full orders are chosen for this fraction of the allowed error, and steps are accepted up to the whole of it: one
+/// more order may be needed in the next step.
 const CHOSEN: f64 = 0.25;
 
-/// The rounding error of terms, as measured along the steps so far.
+/// Estimate of the rounding error of the terms.
 #[derive(Clone, Debug)]
 pub(super) struct Rounding {
-    /// The last order in full.
+    /// The highest order in full precision.
     fine: usize,
-    /// The relative rounding error of a term.
+    /// The relative rounding error d of a term.
     error: f64,
     measured: Measured,
-    /// For each component 1 over its allowed error.
+    /// The reciprocal of the allowed error of each component.
     shares: Vec<f64>,
-    /// The sizes of the terms of the first orders, from 1 on, at the end of the step, in units of the allowed error.
+    /// The sizes of the terms at the end of the step in units of the allowed error, from order 1 on.
     sizes: Vec<f64>,
-    /// Room for terms to compare with.
+    /// Buffer for terms to compare with.
     terms: Vec<f64>,
 }
 
-/// The step at which rounding was measured last.
+/// The step with the last measurement.
 #[derive(Clone, Debug)]
 struct Measured {
     reach: f64,
-    /// The last order in full there, and the largest term after it.
+    /// The highest full order there, and the largest term above it.
     fine: usize,
     largest: f64,
-    /// The number of steps for which it still holds.
+    /// The remaining number of steps for which it is valid.
     rest: u32,
 }
 
 impl Rounding {
-    /// The estimate before any measurement: the term of order k is of the size of the tolerance^(k/p).
+    /// The estimate before the first measurement: the term of order k is of the size tolerance^(k/p).
     pub fn new(order: usize, tolerance: f64) -> Self {
         let fine = 2 + (order as f64 * (1.0 - LEAST.ln() / tolerance.ln()).clamp(0.0, 1.0)) as usize;
         let measured = Measured { reach: 0.0, fine, largest: 0.0, rest: 0 };
         Rounding { fine, error: LEAST, measured, shares: Vec::new(), sizes: Vec::new(), terms: Vec::new() }
     }
 
-    /// The last order whose term would be rounded by more than so many times the allowed error.
+    /// The highest order whose term has a rounding error above `times` the allowed error.
     fn last_beyond(&self, times: f64) -> usize {
         self.sizes.iter().rposition(|size| size * self.error > times).map_or(0, |index| index + 1)
     }
@@ -83,7 +84,7 @@ impl Rounding {
         largest(self.sizes.iter().skip(fine).copied())
     }
 
-    /// Whether a step of this length, with so many orders in full, is like the measured one.
+    /// Whether the last measurement is valid for a step of this length with `in_full` full orders.
     fn is_known(&self, reach: f64, in_full: usize) -> bool {
         let Measured { reach: there, fine, largest, rest } = self.measured;
         let term = self.largest_after(fine);
@@ -93,7 +94,7 @@ impl Rounding {
 }
 
 impl<T> Taylor<T> {
-    /// The longest step that the series through (t, y) allows, with as many orders in full as it needs.
+    /// The largest step size for the series through (t, y), with as many full orders as needed.
     pub(super) fn reach_rounding<S: Real>(&mut self, time: S, y: &[S]) -> f64
     where
         T: TaylorSeries<S>,
@@ -118,7 +119,7 @@ impl<T> Taylor<T> {
         }
     }
 
-    /// Computes the sizes of the terms up to this order at the time h.
+    /// Computes the sizes of the terms up to order `last` at the time h.
     fn weigh<S: Real>(&mut self, y: &[S], h: f64, last: usize)
     where
         T: TaylorSeries<S>,
@@ -134,8 +135,8 @@ impl<T> Taylor<T> {
         }));
     }
 
-    /// Finds the series with more orders in full, and the rounding error of the others before. Returns the number of full
-    /// orders.
+    /// Computes the series with more full orders, and from it the rounding error of the previous ones. Returns the
+    /// number of full orders.
     fn measure<S: Real>(&mut self, time: S, y: &[S], h: f64, fine: usize) -> usize
     where
         T: TaylorSeries<S>,
@@ -161,7 +162,7 @@ impl<T> Taylor<T> {
     }
 }
 
-/// The largest magnitude; NaN is ignored.
+/// The largest magnitude, without NaN.
 fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
     numbers.fold(0.0, |most, x| if x.abs() > most { x.abs() } else { most })
 }

@@ -1,23 +1,24 @@
-//! Order and step size of a series for a tolerance.
+//! Order and step size of a Taylor series for a tolerance.
 
-/// The order for a tolerance, within the limits of rounding.
+/// Optimal order for a relative tolerance, from 16 to 60.
 ///
-/// The step size is proportional to tolerance^(1/p): with L = -ln(tolerance) the cheapest p for steps that cost b + p + c p^2 has
+/// The step size is proportional to tolerance^(1/p). With L = -ln(tolerance), and with steps that cost b + p + c p^2,
+/// the optimal order p solves
 ///
 ///   p^2 (1 + 2 c p) = L (b + p + c p^2) .
 ///
-/// In `f64` the cost of a step beside its orders is that of about five orders, and eight terms of a product cost as much as one: b = 5, c
-/// = 0.015, and p = 4 + 0.8 L is near to that for all L from 7 to 33. The order is never below 16: where a decay and not the tolerance
-/// bounds the step, the step of a series grows with its order. Measured on eight scenes of motors at an error of 1e-3, order 16 takes 0.8
-/// to 1.05 of the time of order 10; mechanisms were not timed. In double-double most orders are in `f64` (at most half are not), and the
-/// same order is near to the cheapest for L up to 70.
+/// In `f64` a step costs as much as five orders beside its orders, and eight terms of a product cost as much as one
+/// order: b = 5, c = 0.015. The approximation p = 4 + 0.8 L is close to the optimum for L from 7 to 33. The order is at
+/// least 16: where stability and not the tolerance limits the step, the step size grows with the order. For eight
+/// scenes of motors with an error of 1e-3, order 16 takes 0.8 to 1.05 of the time of order 10. In double-double at
+/// least half of the orders are computed in `f64`, and the formula is close to the optimum for L up to 70.
 pub fn taylor_order(tolerance: f64) -> usize {
     let order = 4.0 - 0.8 * tolerance.ln();
     (order.ceil() as usize).clamp(16, 60)
 }
 
-/// The longest step of a series of order p whose last two coefficients have these sizes, in units of the allowed error.
-// without branches, and always inlined here and below: in lanes it is computed for all at once
+/// The largest step size of a series of order p, from its last two coefficients in units of the allowed error. Inlined
+/// and without branches: for a batch it is computed in all lanes at once.
 #[inline(always)]
 pub(crate) fn reach(order: usize, last: f64, one_before: f64) -> f64 {
     let p = order as f64;
@@ -25,8 +26,8 @@ pub(crate) fn reach(order: usize, last: f64, one_before: f64) -> f64 {
     if last.max(one_before) < f64::MIN_POSITIVE { f64::INFINITY } else { reach }
 }
 
-/// log2 of a number that is not negative, to 3e-6: a step size need not be known better. Zero counts as the smallest
-/// number.
+/// log2 of a nonnegative number with an error of 3e-6, which suffices for a step size. Zero counts as the smallest
+/// positive number.
 #[inline(always)]
 fn logarithm(x: f64) -> f64 {
     const FRACTION: u64 = (1 << 52) - 1;
@@ -35,7 +36,7 @@ fn logarithm(x: f64) -> f64 {
     exponent + polynomial(fraction - 1.5, LOGARITHM)
 }
 
-/// 2^y, to 2e-6.
+/// 2^y with a relative error of 2e-6.
 #[inline(always)]
 fn power_of_two(y: f64) -> f64 {
     let y = y.clamp(-1000.0, 1000.0);
@@ -44,7 +45,7 @@ fn power_of_two(y: f64) -> f64 {
     scale * polynomial(y - f64::from(whole), POWER)
 }
 
-/// log2(1.5 + x) for |x| < 1/2.
+/// The coefficients of log2(1.5 + x) for |x| < 1/2.
 const LOGARITHM: [f64; 8] = [
     0.5849627591044444,
     0.9617965401665365,
@@ -55,7 +56,7 @@ const LOGARITHM: [f64; 8] = [
     -0.0251101409525063,
     0.014440352491874364,
 ];
-/// 2^x for |x| < 1.
+/// The coefficients of 2^x for |x| < 1.
 const POWER: [f64; 8] = [
     0.9999999895646148,
     0.693147179757808,
@@ -67,7 +68,7 @@ const POWER: [f64; 8] = [
     1.545752248688359e-05,
 ];
 
-/// sum c_k x^k, by halves that do not wait for each other.
+/// The polynomial sum c_k x^k, as two halves that the processor evaluates in parallel.
 #[inline(always)]
 fn polynomial(x: f64, [a, b, c, d, e, f, g, h]: [f64; 8]) -> f64 {
     let square = x * x;

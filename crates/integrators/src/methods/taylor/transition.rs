@@ -1,27 +1,27 @@
 //! The state-transition matrix dy(t1)/dy(t0) of a motion.
 //!
-//! The Taylor method over numbers that carry eight directions in the lanes of a register: value and derivatives are expanded together. The
-//! matrix is as accurate as the motion, and no variational equations are written.
+//! Taylor's method over numbers with derivatives in eight directions, in the lanes of a register. The variational
+//! equations need not be formed, and the matrix is as accurate as the motion.
 
 use crate::clock;
 use crate::methods::taylor::taylor_order;
 use crate::{DIRECTIONS, Failure, Refusal, System, TaylorSeries, Tolerance, Variations};
 
-/// The end of a motion, and its derivatives by the start.
+/// The state at the end of a motion, and its derivatives by the initial state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transition {
     pub state: Vec<f64>,
-    /// `matrix[i * n + j]` = dy_i(t1) / dy_j(t0)
+    /// `matrix[i * n + j]` = dy_i(t1) / dy_j(t0).
     pub matrix: Vec<f64>,
-    /// The largest number of steps of a block of columns: each errs by less than the tolerance.
+    /// The largest number of steps among the blocks of eight columns.
     pub steps: u64,
 }
 
-/// Carries a state and its derivatives from one time to another. The tolerance holds for the state; of the derivatives
-/// each column is followed relative to its largest entry.
+/// Integrates a state and its derivatives by the initial state from one time to another. The tolerance applies to the
+/// state, and to each column of derivatives relative to its largest entry.
 ///
 /// # Errors
-/// [`Failure`] where the system offers no series, the series stops, or the clock of the process ends it.
+/// [`Failure`] where the system provides no Taylor series, the integration fails, or the clock of the process ends it.
 pub fn transition(
     system: &dyn System,
     tolerance: &Tolerance,

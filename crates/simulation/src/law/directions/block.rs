@@ -1,25 +1,25 @@
-//! Directions that are taken together, and the sums that are not zero in them.
+//! Blocks of directions for directional derivatives, and the operations that are nonzero in them.
 
 use super::sums::Sums;
 use std::ops::Range;
 
-/// Directions of a block.
+/// The number of directions in a block.
 pub(super) const LANES: usize = 16;
 
-/// Directions taken together.
+/// A block of directions.
 #[derive(Debug)]
 pub(super) struct Block {
     /// The inputs by which the block differentiates.
     pub inputs: Range<usize>,
-    /// The sums between inputs and outputs that depend on them.
+    /// The sums between inputs and outputs that depend on these inputs.
     pub moved: Vec<Range<u32>>,
-    /// The outputs that depend on them.
+    /// The outputs that depend on these inputs.
     pub outputs: Vec<Range<u32>>,
-    /// The places that the block before has filled, and this one does not.
+    /// The locations that the previous block has filled and this one does not.
     pub stale: Vec<Range<u32>>,
 }
 
-/// The blocks of all inputs but the last, which follow one another in a circle, and a block of the last alone.
+/// The blocks of all inputs but the last, in cyclic order, and a block of the last input alone.
 pub(super) fn blocks(sums: &Sums) -> Vec<Block> {
     let (inputs, first_output) = (sums.inputs, sums.count() - sums.outputs);
     let states = inputs.saturating_sub(1);
@@ -47,7 +47,7 @@ pub(super) fn blocks(sums: &Sums) -> Vec<Block> {
     parts.iter().cloned().enumerate().map(block).collect()
 }
 
-/// The places that depend on some inputs.
+/// For each location, whether it depends on the given inputs.
 fn dependence(sums: &Sums, part: &Range<usize>) -> Vec<bool> {
     let mut depends: Vec<bool> = (0..sums.inputs).map(|input| part.contains(&input)).collect();
     for sum in 0..sums.count() {
@@ -56,7 +56,7 @@ fn dependence(sums: &Sums, part: &Range<usize>) -> Vec<bool> {
     depends
 }
 
-/// The ranges in which a predicate holds.
+/// The ranges of indices for which a predicate is true.
 fn ranges(of: Range<usize>, holds: impl Fn(usize) -> bool) -> Vec<Range<u32>> {
     let mut all: Vec<Range<u32>> = Vec::new();
     for place in of.filter(|&place| holds(place)) {

@@ -1,5 +1,5 @@
-//! The Jacobian of a long law by its differential, in several directions at once: weights at a point as machine code, then sums
-//! ([`symbolic::Differential`]) for as many columns as a register is wide.
+//! The Jacobian of a long law by directional derivatives, several directions at once: machine code computes weights at
+//! a point, then sums ([`symbolic::Differential`]) give as many columns as fit in a register.
 
 mod block;
 mod sums;
@@ -13,14 +13,14 @@ use std::sync::{Arc, OnceLock};
 use sums::{Run, Sums};
 use symbolic::{Differential, Sym};
 
-/// Writes the differential of rates by a state and the time.
+/// Computes the symbolic differential of the rates by the state and the time.
 type Write = dyn Fn(&[Sym], Sym) -> Differential + Send + Sync;
 
 /// The derivatives of a law by state and time.
 pub struct DirectionalProgram {
     states: usize,
     write: Box<Write>,
-    /// Made when first needed; `None` where an expression has no value.
+    /// Compiled when first needed; `None` where an expression is undefined.
     made: OnceLock<Option<Made>>,
 }
 
@@ -33,15 +33,15 @@ struct Made {
 }
 
 impl DirectionalProgram {
-    /// Directions that run together.
+    /// The number of directions per block.
     pub const DIRECTIONS: usize = LANES;
 
-    /// The derivatives by a differential that has the states and the time as inputs, and their rates as outputs.
+    /// The derivatives from a differential whose inputs are the states and the time, and whose outputs are the rates.
     pub fn by(states: usize, write: impl Fn(&[Sym], Sym) -> Differential + Send + Sync + 'static) -> Self {
         DirectionalProgram { states, write: Box::new(write), made: OnceLock::new() }
     }
 
-    /// The derivatives by the rates of a law.
+    /// The derivatives from the rates of a law.
     pub fn of(law: Arc<dyn SymbolicLaw>) -> Self {
         let states = law.dimension();
         DirectionalProgram::by(states, move |state, time| DirectionalProgram::of_rates(&*law, state, time))
@@ -81,7 +81,7 @@ impl Differentiable for DirectionalProgram {
     }
 }
 
-/// The derivatives with room for one run.
+/// The derivatives with buffers for one run.
 struct Directions<'a> {
     made: &'a Made,
     weights: Vec<f64>,
@@ -90,10 +90,10 @@ struct Directions<'a> {
 }
 
 impl Directions<'_> {
-    /// The derivatives in the directions of some blocks, in rows of so many numbers.
+    /// Writes the derivatives in the directions of some blocks, into rows of `width` numbers.
     fn run(&mut self, point: (f64, &[f64]), blocks: &[Block], (width, rows): (usize, &mut [f64])) {
         let Made { weights, sums, .. } = self.made;
-        // the weights were made for a state of this length
+        // the length of the state is correct by construction
         weights.run(point.0, point.1, &mut self.weights).unwrap_or(());
         rows.fill(0.0);
         self.arch.dispatch(Run { sums, blocks, weights: &self.weights, places: &mut self.places, width, rows });
@@ -112,7 +112,7 @@ impl JacobianFn for Directions<'_> {
 
     fn by_time(&mut self, t: f64, y: &[f64], slopes: &mut [f64]) {
         let Some(block) = self.made.blocks.last() else { return };
-        // the places are kept from run to run for the blocks of the state
+        // intermediate results are reused between evaluations of the blocks of the state
         self.places.fill([0.0; LANES]);
         self.run((t, y), std::slice::from_ref(block), (1, slopes));
         self.places.fill([0.0; LANES]);
@@ -127,7 +127,8 @@ mod tests {
 
     const STATES: usize = 2 * LANES + 3;
 
-    /// Each rate by its neighbours, some by the time, one by nothing; products of neighbours have two readers, across the ends of blocks too.
+    /// Each rate depends on its neighbours, some on the time, one on nothing; products of neighbours occur in two
+    /// rates, also across the ends of blocks.
     fn rates(state: &[Sym], time: Sym) -> Vec<Sym> {
         let beside = |i: usize| state[(i + 1) % STATES];
         let shared = |i: usize| (state[i] * beside(i)).circle().sin;

@@ -1,18 +1,18 @@
-//! Sums in the evaluation of a directional derivative, for several directions at once.
+//! The weighted sums of a directional derivative, for several directions at once.
 
 use super::block::{Block, LANES};
 use pulp::{Simd, WithSimd};
 use symbolic::Differential;
 
-/// The sums without their weights.
+/// The structure of the sums, without their weights.
 #[derive(Debug)]
 pub(super) struct Sums {
-    /// The number of inputs, which stand at the first places.
+    /// The number of inputs, which come first.
     pub inputs: usize,
     pub outputs: usize,
-    /// The begin of the terms of each sum, and the end of the last.
+    /// The index of the first term of each sum, and the end of the last.
     begins: Vec<u32>,
-    /// The place of each term's source.
+    /// The index of the source of each term.
     sources: Vec<u32>,
 }
 
@@ -45,14 +45,14 @@ impl Sums {
     }
 }
 
-/// One run over blocks, compiled once for each set of instructions.
+/// One evaluation over blocks, compiled for each instruction set.
 pub(super) struct Run<'a> {
     pub sums: &'a Sums,
     pub blocks: &'a [Block],
     pub weights: &'a [f64],
-    /// The places as the last of these blocks left them, or all zero.
+    /// The intermediate results of the last evaluation of these blocks, or zeros.
     pub places: &'a mut [[f64; LANES]],
-    /// Numbers in a row, and the rows, all zero.
+    /// The length of a row, and the rows, initially zero.
     pub width: usize,
     pub rows: &'a mut [f64],
 }

@@ -1,4 +1,4 @@
-//! A law as a straight-line program, which every field but expressions evaluates.
+//! A law as a straight-line program, which can be evaluated over every numeric scalar type.
 
 mod table;
 
@@ -10,7 +10,7 @@ use std::sync::Arc;
 use symbolic::{Sym, Tape, apart};
 use table::Table;
 
-/// A function of a state and the time as straight-line code over every numeric field.
+/// A function of a state and the time as straight-line code.
 #[derive(Clone, Debug)]
 pub struct Program {
     tape: Tape,
@@ -21,8 +21,8 @@ pub struct Program {
     exact: Table<DoubleDouble>,
 }
 
-/// Numbers of registers: for small laws, usual ones and the largest. Clearing them costs, most of all over numbers with derivatives: a
-/// program has hardly more than it needs.
+/// Numbers of registers for small, usual and the largest laws. Clearing registers is costly, especially over dual
+/// numbers: a program gets hardly more than it needs.
 const LEAST: usize = 16;
 const LESS: usize = 32;
 const FEW: usize = 64;
@@ -31,12 +31,12 @@ const MORE: usize = 256;
 const MANY: usize = 1024;
 
 impl Program {
-    /// The program of a function of a state of `n` components and the time; `None` where an expression has no value.
+    /// The program of a function of a state of `n` components and the time; `None` where an expression is undefined.
     pub fn of(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym> + Send) -> Option<Self> {
         Program::recorded(tape(n, function)?)
     }
 
-    /// As [`Program::of`] without machine code, which takes longer to write than a few evaluations to follow.
+    /// As [`Program::of`] without machine code, for a few evaluations only.
     pub fn for_few(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym> + Send) -> Option<Self> {
         Some(Program::without_code(tape(n, function)?))
     }
@@ -46,7 +46,7 @@ impl Program {
         Program::recorded(tape)
     }
 
-    /// The right-hand side of a law.
+    /// The program of the rates of a law.
     pub fn of_law(law: &(impl Ode<Sym> + Sync + ?Sized)) -> Option<Self> {
         traced(law, |TracedOde { state, time, rates }| {
             Program::recorded(Tape::record(&[&state[..], &[*time]].concat(), rates).ok()?.arranged())
@@ -58,7 +58,7 @@ impl Program {
         Some(Program { code, ..Program::without_code(tape) })
     }
 
-    /// The operations over any other field; the inputs are the state, then the time.
+    /// The operations over any other scalar type; the inputs are the state, then the time.
     pub fn over<S: Analytic>(&self) -> symbolic::Program<'_, S> {
         self.tape.over()
     }
@@ -73,31 +73,31 @@ impl Program {
         self.tape.parts_of_last_input()
     }
 
-    /// The program of a tape whose operations are followed one by one.
+    /// The program of a tape, interpreted.
     pub(super) fn without_code(tape: Tape) -> Self {
         let (plain, slopes, exact) = (Table::of(&tape), Table::of(&tape), Table::of(&tape));
         Program { code: None, plain, slopes, exact, tape }
     }
 
-    /// Whether it runs as machine code; otherwise its table of operations is followed, which takes some five times as
-    /// long.
+    /// Whether the program is compiled to machine code; otherwise its operations are interpreted, which takes about
+    /// five times as long.
     pub fn is_code(&self) -> bool {
         self.code.is_some()
     }
 
-    /// Bytes of its machine code and of the constants in it.
+    /// The size of the machine code in bytes, including constants.
     pub fn code_size(&self) -> Option<usize> {
         self.code.as_ref().map(|code| code.size())
     }
 
-    /// The values at a time and a state; `None` where the state does not have the recorded length, or where there is no room for
-    /// all values.
+    /// Evaluates the program at a time and a state. `None` where the length of the state differs from the recorded one,
+    /// or `values` is too short.
     #[inline]
     pub fn run<S: Running>(&self, t: S, y: &[S], values: &mut [S]) -> Option<()> {
         S::run(self, t, y, values)
     }
 
-    /// Follows the table of operations where there is no code; a function apart, whose length costs the code nothing.
+    /// Interprets the operations. A separate function, since its length would slow down the call of machine code.
     #[cold]
     fn follow_table(&self, t: f64, y: &[f64], values: &mut [f64]) -> Option<()> {
         self.follow(&self.plain, t, y, values)
@@ -125,7 +125,7 @@ impl Program {
     }
 }
 
-/// The operations of a function of a state of `n` components and the time.
+/// The tape of a function of a state of `n` components and the time.
 fn tape(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym> + Send) -> Option<Tape> {
     apart(|| {
         let (state, time) = symbols(n);
@@ -134,9 +134,9 @@ fn tape(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym> + Send) -> Opti
     })
 }
 
-/// A field in which programs run.
+/// A scalar type over which programs are evaluated.
 pub trait Running: Analytic {
-    /// The values of a program.
+    /// Evaluates a program.
     fn run(program: &Program, t: Self, y: &[Self], values: &mut [Self]) -> Option<()>;
 }
 

@@ -1,10 +1,10 @@
-//! The numbers for following a tape: its constants over a field, and registers for a long one.
+//! Constants and registers for the interpretation of a tape over one scalar type.
 
 use field::Analytic;
 use std::sync::{Mutex, PoisonError};
 use symbolic::Tape;
 
-/// Constants, and registers that are taken once for each evaluation that runs at the same time.
+/// The constants of a tape, and reusable registers for concurrent evaluations.
 #[derive(Debug)]
 pub(super) struct Table<S> {
     pub constants: Vec<S>,
@@ -16,7 +16,7 @@ impl<S: Analytic> Table<S> {
         Table { constants: tape.constants(), registers: Mutex::default() }
     }
 
-    /// The outputs of the tape that this was made of, at these inputs.
+    /// The outputs of the tape of this table for the given inputs.
     pub fn evaluate(&self, tape: &Tape, inputs: impl Iterator<Item = S>, outputs: &mut [S]) {
         let spare = || self.registers.lock().unwrap_or_else(PoisonError::into_inner);
         let mut registers = spare().pop().unwrap_or_default();

@@ -4,10 +4,12 @@
 //! estimated by h sum_i e_i k_i; the pair 8(5,3) has a second estimate, h sum_i d_i k_i, of lower order. A step is accepted where the
 //! root mean square of its error, in units of the tolerance, is at most 1.
 //!
-//! Method, coefficients and control: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I (1993), II.4, II.5 and II.10,
-//! codes DOPRI5 and DOP853; the pair 8(5,3) with the predictive control of Gustafsson 1994. The coefficients are known to 30 digits at most: the pairs run in `f64` only. No crate that was tried serves:
-//! `ode_solvers` 0.6 has c_12 = 0 instead of 1 in 8(5,3), and brings another version of nalgebra; `differential-equations` 0.7 evaluates
-//! 15 slopes a step instead of 12, or 7 instead of 6, for a dense output that is not read, and takes states of static size only.
+//! Method, coefficients and control: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I (1993),
+//! II.4, II.5 and II.10, codes DOPRI5 and DOP853; the pair 8(5,3) with the predictive control of Gustafsson (1994). The
+//! coefficients are known to 30 digits at most, therefore the pairs run in `f64` only. Other crates are not used:
+//! `ode_solvers` 0.6 has c_12 = 0 instead of 1 in 8(5,3) and needs another version of nalgebra;
+//! `differential-equations` 0.7 evaluates 15 slopes per step instead of 12, or 7 instead of 6, for an unused dense
+//! output, and takes states of static size only.
 
 mod pairs;
 mod stiffness;
@@ -18,36 +20,36 @@ use crate::{System, Tolerance};
 pub(crate) use pairs::{EIGHT, FIVE, Pair};
 use stiffness::Stiffness;
 
-/// Four components are combined at once: their sums stay in vector registers, for any dimension.
+/// Four components are combined at once, in vector registers, for any dimension.
 type Four = [f64; 4];
 
-/// The least error that the control of the step size remembers, and the one with which it begins.
+/// The smallest error that enters the step size control, and the initial value of the previous error.
 const LEAST_ERROR: f64 = 1e-4;
-/// The share of the step that the last error allows.
+/// Safety factor of the step size.
 const SAFETY: f64 = 0.9;
-/// The share of an undefined step that is tried next.
+/// The reduction factor of the step size after an undefined step.
 const RETREAT: f64 = 0.25;
 
-/// One of the pairs with its stages, padded to multiples of four components.
+/// The state of a pair; slopes and stages are padded to multiples of four components.
 pub(crate) struct DormandPrince<'a> {
     pair: &'static Pair,
     relative: f64,
     absolute: Vec<Four>,
     before: Vec<Four>,
-    /// The argument of the last stage that was evaluated.
+    /// The argument of the last evaluated stage.
     stage: Vec<Four>,
     after: Vec<Four>,
     slopes: Slopes,
     /// The time at which k_1 was evaluated.
     slope_at: Option<f64>,
     last_error: f64,
-    /// The length of the last accepted step.
+    /// The size of the last accepted step.
     last_step: Option<f64>,
     after_rejection: bool,
     stiffness: Stiffness<'a>,
 }
 
-/// k_1 to k_s, then f(t + h, y_1), one after another.
+/// The slopes k_1 to k_s, then f(t + h, y_1).
 struct Slopes {
     all: Vec<Four>,
     width: usize,
@@ -58,17 +60,17 @@ impl Slopes {
         &self.all[stage * self.width..][..self.width]
     }
 
-    /// The components of one slope.
+    /// The components of the slope of one stage.
     fn of_mut(&mut self, stage: usize, dimension: usize) -> &mut [f64] {
         &mut self.all[stage * self.width..][..self.width].as_flattened_mut()[..dimension]
     }
 
-    /// The last slope becomes the first.
+    /// Copies the last slope to the first.
     fn begin_at(&mut self, last: usize) {
         self.all.copy_within(last * self.width.., 0);
     }
 
-    /// Sum of a_j k_j over the stages j of a row, for the four components at a place.
+    /// The sum of a_j k_j over the stages j of a row, for the four components with the index `place`.
     fn weighted(&self, row: &[(usize, f64)], place: usize) -> Four {
         let mut sum = [0.0; 4];
         for &(stage, share) in row {
@@ -126,8 +128,8 @@ impl<'a> DormandPrince<'a> {
         sum.iter().sum()
     }
 
-    /// The error of a step in units of the tolerance: h E / sqrt(n (E + F/100)), with the sums E and F of the two estimates (Hairer,
-    /// Norsett and Wanner, II.10); without a second one that is the root mean square.
+    /// The error of a step in units of the tolerance: h E / sqrt(n (E + F/100)), with the sums E and F of the two
+    /// estimates (Hairer, Norsett and Wanner, II.10). Without a second estimate, the root mean square.
     fn error(&self, step: f64, dimension: usize) -> f64 {
         let fine = self.squares(self.pair.error);
         let both = fine + 0.01 * self.squares(self.pair.second_error);
@@ -135,16 +137,16 @@ impl<'a> DormandPrince<'a> {
         step * fine / (both * dimension as f64).sqrt()
     }
 
-    /// The divisor of the next step where the error goes on growing as it has grown since the last one: a change of the motion is then met with
-    /// fewer rejections. The work to equal errors falls by 17 to 20 % on Andrews' mechanism and the Pleiades; over the scenes of
-    /// `snapshots/atlas` it stays the same on average.
+    /// The divisor of the step size if the error keeps growing at the rate of the last two steps: fewer steps are
+    /// rejected where the motion changes. The work for equal errors decreases by 17 to 20 % for Andrews' mechanism and
+    /// the Pleiades; for the scenes of `snapshots/atlas` it is unchanged on average.
     fn predicted(&self, stretch: f64, step: f64, error: f64) -> f64 {
         let growth = (error.max(LEAST_ERROR) / self.last_error).powf(self.pair.exponent);
         self.last_step.map_or(0.0, |last| stretch * last / step * growth)
     }
 
-    /// The greatest Lipschitz number h |f(y_1) - f(z)| / |y_1 - z| that a step shows: z, the argument of the last stage, belongs to the
-    /// same time as y_1. Differences are taken in units of the absolute tolerance.
+    /// An estimate of the Lipschitz number, h |f(y_1) - f(z)| / |y_1 - z|, where the argument z of the last stage
+    /// belongs to the time of y_1. Differences are measured in units of the absolute tolerance.
     fn stretching(&self, step: f64) -> f64 {
         let last = self.pair.stages.len();
         let apart = |a: &[Four], b: &[Four]| {

@@ -1,6 +1,6 @@
 //! The coefficients of the pairs, and the parameters of their step size control.
 
-/// Shares a_j of the slopes k_j, by stage; zeros are left out.
+/// Coefficients a_j of the slopes k_j, as pairs (stage, a_j) without zeros.
 type Row = &'static [(usize, f64)];
 
 /// A pair of explicit Runge-Kutta formulas.
@@ -14,17 +14,19 @@ pub(crate) struct Pair {
     pub error: Row,
     /// d_i of the second estimate, if there is one.
     pub second_error: Row,
-    /// Whether the error estimate holds the slope at the end of the step, which is otherwise needed after an accepted step only.
+    /// Whether the error estimate uses the slope at the end of the step, which is otherwise needed after accepted steps
+    /// only.
     pub error_needs_end: bool,
     /// The step size is proportional to error^-exponent and to the previous error^`damping` (Gustafsson's control).
     pub exponent: f64,
     pub damping: f64,
-    /// Whether the error is taken to grow over the next step as over the last one (Gustafsson's predictive control), in the place of damping.
+    /// Whether the predictive control is used instead of `damping`: the error is expected to grow as over the last step
+    /// (Gustafsson 1994).
     pub predicts: bool,
-    /// The least and the greatest ratio of a step to that before.
+    /// The smallest and the largest ratio of successive step sizes.
     pub shortest: f64,
     pub longest: f64,
-    /// Step times Lipschitz number beyond which stability, not accuracy, limits the step.
+    /// The product of step size and Lipschitz number above which stability, not accuracy, limits the step size.
     pub stretching: f64,
 }
 
@@ -180,7 +182,7 @@ pub(crate) static EIGHT: Pair = Pair {
 mod tests {
     use super::*;
 
-    /// c_i of all slopes, that at the end of the step included.
+    /// The nodes c_i of all slopes, including that at the end of the step.
     fn nodes(pair: &Pair) -> Vec<f64> {
         [0.0].into_iter().chain(pair.stages.iter().map(|(node, _)| *node)).chain([1.0]).collect()
     }
@@ -190,7 +192,7 @@ mod tests {
         row.iter().map(|(stage, share)| share * nodes[*stage].powi(power as i32)).sum()
     }
 
-    /// Each coefficient stands in one of these sums with a factor that is not small.
+    /// Every coefficient enters one of these sums with a factor that is not small.
     #[test]
     fn rows_sum_to_their_nodes_and_weights_integrate_powers() {
         for pair in [&FIVE, &EIGHT] {
@@ -205,7 +207,7 @@ mod tests {
         }
     }
 
-    /// Sum of b_i c_i^p a_ij c_j^q = 1 / ((q + 1) (p + q + 2)) up to the order, and not everywhere beyond.
+    /// The conditions sum b_i c_i^p a_ij c_j^q = 1 / ((q + 1) (p + q + 2)) hold up to the order, and some fail beyond.
     #[test]
     fn two_stages_in_a_row_integrate_products_of_powers() {
         for pair in [&FIVE, &EIGHT] {
@@ -223,7 +225,8 @@ mod tests {
         }
     }
 
-    /// Error estimates vanish on the powers that the formula of lower order integrates too, and on no higher one.
+    /// Error estimates vanish for the powers that the formula of lower order integrates exactly, and for no higher
+    /// power.
     #[test]
     fn error_estimates_have_their_orders() {
         for (pair, row, order) in [(&FIVE, FIVE.error, 4), (&EIGHT, EIGHT.error, 5), (&EIGHT, EIGHT.second_error, 3)] {

@@ -1,39 +1,42 @@
-//! Stiffness detection: whether stability, not accuracy, limits the steps of an explicit pair.
+//! Stiffness detection: decides whether stability, not accuracy, limits the step size of an explicit pair.
 
 use crate::System;
 use crate::law::jacobian::Jacobian;
 use crate::newton::SpectralRadius;
 use crate::run::budgeted_rhs::BudgetedRhs;
 
-/// The interval of steps at which one is examined, where none seemed to be limited.
+/// Interval of regular tests, in accepted steps.
 const EVERY: u64 = 100;
 
-/// Steps that seem to be limited, after which the eigenvalues are computed, and other steps in a row after which the count begins anew.
+/// The eigenvalues are computed after so many steps that seem limited by stability. [`OTHERS`] other steps in a row
+/// reset the count.
 const LIMITED: u32 = 15;
 const OTHERS: u32 = 6;
 
-/// A step that stability limits is at least this part of the longest stable one for the fastest mode, by an upper bound of its
-/// eigenvalue.
+/// A step counts as limited by stability if it is at least this fraction of the longest stable step for an upper bound
+/// of the largest eigenvalue.
 const OF_STABLE: f64 = 0.5;
 
-/// Larger systems are not examined by eigenvalues: their products cost too much.
+/// The largest number of states for which eigenvalues are computed: the matrix products are too expensive for larger
+/// systems.
 const MOST_STATES: usize = 400;
 
-/// Hairer's test for stiffness: at every hundredth step, and from one that stability seems to have limited at each, until fifteen in all
-/// have been such, or six others in a row were not.
+/// Hairer's test for stiffness, applied at every hundredth step. After a step that seems limited by stability it is
+/// applied at every step, until fifteen in all seem limited, or six others occur in a row.
 ///
-/// The Lipschitz number that a step shows is at least the eigenvalue of the fastest mode, and may be much larger: for x'' = -w^2 x it is
-/// w^2, the eigenvalue w. The eigenvalues are therefore computed before a run is given up. Where they deny stiffness, the test rests twice
-/// as long as before.
+/// The estimated Lipschitz number is at least the modulus of the largest eigenvalue, and may be much larger: for x'' =
+/// -w^2 x it is w^2, the eigenvalue w. The eigenvalues are therefore computed before a run is ended as stiff. If they
+/// show no stiffness, the test pauses for a number of steps that doubles each time.
 pub(super) struct Stiffness<'a> {
     system: &'a dyn System,
     accepted: u64,
     limited: u32,
     others: u32,
-    /// The number of steps before which nothing is examined, and its growth where the eigenvalues deny stiffness.
+    /// The test pauses up to this number of accepted steps; the pause doubles whenever the eigenvalues show no
+    /// stiffness.
     rests_until: u64,
     rest: u64,
-    /// The number of steps before which a confirmation holds: a run may go on in spite of it.
+    /// A confirmation remains valid up to this number of accepted steps, if the run continues in spite of stiffness.
     confirmed_until: u64,
 }
 
@@ -42,13 +45,13 @@ impl<'a> Stiffness<'a> {
         Stiffness { system, accepted: 0, limited: 0, others: 0, rests_until: 0, rest: EVERY, confirmed_until: 0 }
     }
 
-    /// Counts an accepted step; returns whether it is to be examined.
+    /// Counts an accepted step. Returns whether the test is due.
     pub fn is_due(&mut self) -> bool {
         self.accepted += 1;
         self.accepted >= self.rests_until && (self.accepted.is_multiple_of(EVERY) || self.limited > 0)
     }
 
-    /// Counts a step that was examined; returns whether the problem seems stiff.
+    /// Records the result of a test. Returns whether the problem seems stiff.
     pub fn found(&mut self, limited: bool) -> bool {
         if limited {
             (self.limited, self.others) = (self.limited + 1, 0);
@@ -61,7 +64,8 @@ impl<'a> Stiffness<'a> {
         self.limited >= LIMITED
     }
 
-    /// Whether a step is as long as the eigenvalues at its end allow: |h lambda| is at most `stable` for a mode that does not grow.
+    /// Whether the eigenvalues at the end of a step limit its size: `stable` bounds |h lambda| for modes that do not
+    /// grow.
     pub fn is_confirmed(
         &mut self,
         (stable, step): (f64, f64),
@@ -76,7 +80,7 @@ impl<'a> Stiffness<'a> {
         Jacobian::of(self.system).matrix(meter.time(tau), state, &mut matrix);
         meter.count_jacobian();
         let radius = SpectralRadius::new(n).radius(&matrix);
-        // a radius that is NaN denies nothing
+        // a NaN radius does not refute stiffness
         let is_denied = step * radius < OF_STABLE * stable;
         if is_denied {
             (self.limited, self.others) = (0, 0);
