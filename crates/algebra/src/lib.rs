@@ -1,14 +1,15 @@
 //! Exact and enclosed algebra over numbers: polynomials, their roots, enclosures, linear equations.
 //!
 //! # Overview
-//! For programs that must decide a question instead of rounding a number: the number of roots, the sign of a value, the box
-//! that contains a solution. The crate contains neither expressions nor mechanics. The example isolates the roots of a polynomial.
+//! For programs that must decide a question instead of rounding a number: the number of roots, the sign of a value, the
+//! box that contains a solution. The crate contains neither symbolic expressions nor mechanics. The example isolates
+//! the roots of a polynomial.
 //!
-//! * [`multivariate`]: sparse polynomials with integer coefficients, on which proofs rest;
-//! * [`real`]: real roots of polynomials, exactly; enclosures, Taylor models, fixed points;
-//! * [`complex`]: zeros in the complex plane, each in a rectangle that contains exactly one zero;
-//! * [`boxes`]: all zeros of nonlinear equations in a box, with a proof that none is missing;
-//! * [`linear`]: determinants, and elimination with pivoting over any field, including enclosures.
+//! * [`multivariate`]: sparse polynomials with integer coefficients, the basis of proofs;
+//! * [`real`]: exact real roots of polynomials; enclosures, Taylor models, Krawczyk's operator;
+//! * [`complex`]: complex zeros, each in a rectangle that contains no other zero;
+//! * [`boxes`]: all zeros of nonlinear equations in a box, with a proof of completeness;
+//! * [`linear`]: determinants, and elimination with pivoting over any scalar type, including enclosures.
 //!
 //! ```
 //! use dalembert_algebra::real::Polynomial;

@@ -1,14 +1,16 @@
 //! Derives, proves and runs equations of motion of mechanical and electromechanical systems.
 //!
 //! # Overview
-//! * [`model`]: a system as data, its kinematics, the principles, equations of motion;
-//! * [`scenes`]: runs of systems as text; [`simulation`]: runs, references, work-precision charts, ensembles;
-//! * [`motor`]: electric motors; [`claims`]: equations of papers, and their verdicts; [`manuscript`]: a paper as a file, its formulas read
-//!   from LaTeX ([`latex`]);
-//! * [`symbolic`], [`field`], [`algebra`], [`mechanics`], [`integrators`], [`units`], [`reader`]: the crates on which these are built.
+//! * [`model`]: a system as data, its kinematics, the principles, the equations of motion;
+//! * [`scenes`]: runs of systems given by text; [`simulation`]: runs, references, work-precision charts, ensembles;
+//! * [`motor`]: electric motors; [`claims`]: equations of papers with their verdicts; [`manuscript`]: a paper as a
+//!   file, with formulas read from LaTeX ([`latex`]);
+//! * [`symbolic`], [`field`], [`algebra`], [`mechanics`], [`integrators`], [`units`], [`reader`]: the underlying
+//!   crates.
 //!
-//! For Rust programs that use the workbench as a library. The feature `commands` adds every command of the program `dalembert`, including
-//! those for motors and papers of the program that links it. The feature `content` adds the systems, motors, papers and studies of the workbench.
+//! For Rust programs that use the workbench as a library. The feature `commands` adds every command of the program
+//! `dalembert`, also for the motors and papers of the program that links it. The feature `content` adds the systems,
+//! motors, papers and studies of the workbench.
 //!
 //! ```
 //! use dalembert::model::principles::Principle;

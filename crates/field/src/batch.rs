@@ -1,26 +1,26 @@
-//! Many numbers side by side: one law evaluated for as many systems at once as a register is wide.
+//! Batches of numbers: a law is evaluated for as many systems at once as fit in a SIMD register.
 
 use crate::sincos_f64::{far, is_near, near, plus};
 use crate::{Analytic, Base, Circle, Divisor, Elementary, Over, Scalar};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
-/// L numbers, each a field for itself: no lane depends on another. Equality is that of all lanes.
+/// L independent numbers, one in each lane. Two batches are equal if all lanes are.
 ///
-/// Operations are plain loops that are always inlined: code compiled for wide registers uses them here too. Where
-/// `FUSED`, a product and a sum are rounded once, which is fast only on processors with that instruction.
+/// Operations are plain loops that are always inlined, so that they are compiled for the registers of the caller. With
+/// `FUSED` a product and a sum are rounded once, which is fast only on processors with fused multiply-add.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Batch<const L: usize, const FUSED: bool = false>(pub [f64; L]);
 
 impl<const L: usize, const FUSED: bool> Batch<L, FUSED> {
-    /// The same number in every lane.
+    /// A number in every lane.
     #[inline(always)]
     pub fn all(number: f64) -> Self {
         Batch([number; L])
     }
 
-    /// self + a b, rounded once where `fused`: for numbers that are kept and computed on by either kind of processor.
+    /// self + a b, rounded once if `fused`: for data shared between both kinds of processors.
     #[inline(always)]
     pub fn plus_product(mut self, a: Self, b: Self, fused: bool) -> Self {
         for lane in 0..L {
@@ -170,7 +170,7 @@ impl<const L: usize, const FUSED: bool> Analytic for Batch<L, FUSED> {
     }
 }
 
-/// Lane by lane, where angles are far away, or not finite.
+/// Evaluates each lane separately, for large angles or angles that are not finite.
 #[cold]
 #[inline(never)]
 fn one_by_one<const L: usize, const FUSED: bool>(angle: Batch<L, FUSED>) -> Circle<Batch<L, FUSED>> {

@@ -3,8 +3,8 @@
 use crate::{Analytic, Scalar, Tangent};
 use std::ops::{Add, Neg, Sub};
 
-/// The point (cos a, sin a): an angle without its number of turns. Sums are the addition theorems: every law in it is
-/// algebraic, and an equality between laws can be decided.
+/// The point (cos a, sin a), which represents an angle without its number of turns. Sums follow the addition theorems.
+/// Laws in it are algebraic, so that equality of laws can be decided.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circle<S> {
     pub cos: S,
@@ -18,30 +18,31 @@ impl<S: Scalar> Circle<S> {
         Circle { cos: S::one(), sin: S::zero() }
     }
 
-    /// Every rational point but (-1, 0), from t = tan(a/2): ((1 - t^2), 2t) / (1 + t^2).
+    /// The rational point with t = tan(a/2): ((1 - t^2), 2t) / (1 + t^2), which gives all of them but (-1, 0).
     pub fn from_half_tangent(t: S) -> Self {
         let norm = S::one() + t * t;
         Circle { cos: (S::one() - t * t) / norm, sin: (t + t) / norm }
     }
 
-    /// cos^2 + sin^2 - 1: zero on the circle.
+    /// The residual cos^2 + sin^2 - 1: zero on the circle.
     pub fn defect(self) -> S {
         self.cos * self.cos + self.sin * self.sin - S::one()
     }
 
-    /// The same angle moving at the rate `speed`: its derivative is (-sin, cos) * speed.
+    /// The angle as dual numbers with the rate `speed`: the derivative is (-sin, cos) * speed.
     #[inline(always)]
     pub fn moving(self, speed: S) -> Circle<Tangent<S>> {
         Circle { cos: Tangent::moving(self.cos, -self.sin * speed), sin: Tangent::moving(self.sin, self.cos * speed) }
     }
 
-    /// The same angle as the one variable of a short law: numbers that do not depend on it are known to be constant.
+    /// The angle as the variable of a short law: dual numbers that mark constants, see
+    /// [`DerivativeKnowledge`](crate::DerivativeKnowledge).
     #[inline(always)]
     pub fn varied(self) -> Circle<Tangent<S, bool>> {
         Circle { cos: Tangent::at_rate(self.cos, -self.sin), sin: Tangent::at_rate(self.sin, self.cos) }
     }
 
-    /// The same point with its coordinates seen in another field.
+    /// The point with a function applied to both coordinates.
     #[inline(always)]
     pub fn map<T>(self, f: impl Fn(S) -> T) -> Circle<T> {
         Circle { cos: f(self.cos), sin: f(self.sin) }
@@ -49,7 +50,8 @@ impl<S: Scalar> Circle<S> {
 }
 
 impl<S: Analytic> Circle<S> {
-    /// The fraction `part / whole` of a full turn by roots of 2 and 3, for a `whole` that divides 24.
+    /// The fraction `part / whole` of a full turn, exactly by square roots of 2 and 3; `None` unless `whole` divides
+    /// 24.
     pub fn exact_turn(part: u32, whole: u32) -> Option<Self> {
         if whole == 0 || 24 % whole != 0 {
             return None;
@@ -79,7 +81,7 @@ impl<S: Analytic> Circle<S> {
 }
 
 impl Circle<f64> {
-    /// The fraction `part / whole` of a full turn as datum, to half a unit of rounding.
+    /// The fraction `part / whole` of a full turn, rounded to `f64`.
     pub fn turn(part: u32, whole: u32) -> Self {
         let (sin, cos) = (std::f64::consts::TAU * f64::from(part) / f64::from(whole)).sin_cos();
         Circle { cos, sin }

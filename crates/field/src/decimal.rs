@@ -1,10 +1,10 @@
-//! Double-double as decimal digits, rounded once and correctly both ways.
+//! Conversion between double-double and decimal digits, correctly rounded.
 
 use crate::DoubleDouble;
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
-/// The number to so many places after the point; `None` where it is not finite.
+/// The number with `places` decimal places; `None` where it is not finite.
 pub fn decimal(number: DoubleDouble, places: usize) -> Option<String> {
     let exact = RBig::try_from(number.hi()).ok()? + RBig::try_from(number.lo()).ok()?;
     let negative = *exact.numerator() < IBig::ZERO;
@@ -17,7 +17,7 @@ pub fn decimal(number: DoubleDouble, places: usize) -> Option<String> {
     Some(if places == 0 { format!("{sign}{whole}") } else { format!("{sign}{whole}.{part}") })
 }
 
-/// The double-double nearest to decimal digits such as `-12.0345`; `None` where these are none.
+/// The double-double nearest to a decimal number such as `-12.0345`; `None` where the text is no such number.
 pub fn from_decimal(text: &str) -> Option<DoubleDouble> {
     let unsigned = text.strip_prefix('-').unwrap_or(text);
     let (whole, part) = unsigned.split_once('.').unwrap_or((unsigned, ""));

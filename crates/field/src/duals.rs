@@ -1,9 +1,9 @@
-//! num-dual's numbers over `f64` as scalars: the Jacobians and Hessians of the simulation.
+//! The dual numbers of `num-dual` over `f64` as scalars, for Jacobians and Hessians.
 
 use crate::{Analytic, Circle, Elementary, Over, Scalar};
 use num_dual::{Dual, Dual2, DualNum, DualSVec, DualStruct, HyperDual};
 
-/// The argument beyond which the derivative of tanh underflows.
+/// The argument above which the derivative of tanh underflows.
 const FLAT: f64 = 300.0;
 
 macro_rules! dual_field {
@@ -36,7 +36,7 @@ macro_rules! dual_field {
                 match function {
                     Elementary::Exp => DualNum::exp(&self),
                     Elementary::Ln => DualNum::ln(&self),
-                    // num-dual divides sinh by cosh, which overflow there
+                    // num-dual divides sinh by cosh, which overflow for large arguments
                     Elementary::Tanh if self.re().abs() > FLAT => Self::from(self.re().signum()),
                     Elementary::Tanh => DualNum::tanh(&self),
                     Elementary::Atan2 => DualNum::atan2(&self, other),

@@ -1,17 +1,17 @@
-//! Elementary functions besides roots and circle points: each by its name, its values and its derivatives.
+//! Elementary functions other than square roots and circle points: names, values and derivatives.
 
 use crate::Scalar;
 
 /// A function of one argument a, or of two, a and b.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Elementary {
-    /// e^a
+    /// The exponential e^a.
     Exp,
     /// The natural logarithm of a positive number.
     Ln,
     /// The hyperbolic tangent.
     Tanh,
-    /// The angle of the point (b, a), from -pi to pi.
+    /// The angle of the point (b, a), from -pi to pi rad.
     Atan2,
 }
 
@@ -33,7 +33,7 @@ impl Elementary {
         if self == Elementary::Atan2 { 2 } else { 1 }
     }
 
-    /// The partial derivatives by a and b, from the value: field operations alone.
+    /// The partial derivatives by a and b, from the arguments and the value.
     pub fn slopes<S: Scalar>(self, a: S, b: S, value: S) -> [S; 2] {
         match self {
             Elementary::Exp => [value, S::zero()],
@@ -46,7 +46,7 @@ impl Elementary {
         }
     }
 
-    /// The value in `f64`: the same bits on every platform.
+    /// The value in `f64`, bitwise equal on all platforms.
     pub fn of(self, a: f64, b: f64) -> f64 {
         match self {
             Elementary::Exp => libm::exp(a),

@@ -1,7 +1,7 @@
-//! Intervals in `f64`: every operation holds all results of the numbers in its operands, ends rounded outwards.
+//! Interval arithmetic in `f64`, rounded outwards: a result contains the values for all numbers in the operands.
 //!
-//! The value of an expression over intervals holds its range there: a proof that it does not vanish, or a bound of its derivative. Narrow
-//! intervals decide; finer numbers with an interval around them are [`algebra`'s enclosures].
+//! The value of an expression over intervals encloses its range: it can prove that the expression does not vanish, or
+//! bound a derivative. Enclosures with higher precision are [`algebra`'s enclosures].
 //!
 //! [`algebra`'s enclosures]: https://docs.rs/dalembert-algebra
 
@@ -10,7 +10,7 @@ use num_traits::{One, Zero};
 use std::f64::consts::PI;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
-/// All numbers from one to another. Two intervals are equal if both ends are.
+/// A closed interval. Two intervals are equal if both ends are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     low: f64,
@@ -18,15 +18,15 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// All numbers: the result where nothing is known, such as a quotient by an interval that holds zero.
+    /// The whole real line: the result where nothing is known, such as a quotient by an interval that contains zero.
     pub const EVERYTHING: Interval = Interval { low: f64::NEG_INFINITY, high: f64::INFINITY };
 
-    /// From one number to another, in any order; everything where one is no number.
+    /// The interval between two numbers, in any order; the whole line where one is NaN.
     pub fn new(a: f64, b: f64) -> Self {
         if a.is_nan() || b.is_nan() { Self::EVERYTHING } else { Interval { low: a.min(b), high: a.max(b) } }
     }
 
-    /// One number.
+    /// The interval of one number.
     pub fn point(value: f64) -> Self {
         Interval::new(value, value)
     }
@@ -39,13 +39,13 @@ impl Interval {
         self.high
     }
 
-    /// A number about the middle.
+    /// A number near the midpoint.
     pub fn middle(self) -> f64 {
         let middle = 0.5 * self.low + 0.5 * self.high;
         if middle.is_finite() { middle } else { 0.0 }
     }
 
-    /// An upper bound of the distance between the ends.
+    /// An upper bound of the width.
     pub fn width(self) -> f64 {
         if self.low == self.high { 0.0 } else { (self.high - self.low).next_up() }
     }
@@ -59,28 +59,29 @@ impl Interval {
         self.low <= value && value <= self.high
     }
 
-    /// Whether all of this lies inside another, its ends apart.
+    /// Whether the interval lies in the interior of another.
     pub fn is_inside(self, other: Interval) -> bool {
         other.low < self.low && self.high < other.high
     }
 
-    /// Whether all of this belongs to another.
+    /// Whether the interval is a subset of another.
     pub fn is_part_of(self, other: Interval) -> bool {
         other.low <= self.low && self.high <= other.high
     }
 
-    /// The common part of both; none where they are apart.
+    /// The intersection; `None` where it is empty.
     pub fn and(self, other: Interval) -> Option<Interval> {
         let [low, high] = [self.low.max(other.low), self.high.min(other.high)];
         (low <= high).then_some(Interval { low, high })
     }
 
-    /// The smallest interval with both.
+    /// The smallest interval that contains both.
     pub fn hull(self, other: Interval) -> Interval {
         Interval { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
-    /// All factors x with x b in this interval for some b of another, in one piece or two; none where there is no such x.
+    /// All x with x b in this interval for some b in `by`, as one or two intervals; both `None` where there is no such
+    /// x.
     pub fn factors(self, by: Interval) -> [Option<Interval>; 2] {
         if !by.contains(0.0) {
             return [Some(self / by), None];
@@ -98,7 +99,7 @@ impl Interval {
         })
     }
 
-    /// The sign of all of its numbers, 1, -1 or 0; `None` where they differ in sign.
+    /// The sign of all numbers, 1, -1 or 0; `None` where they differ in sign.
     pub fn sign(self) -> Option<i32> {
         match self {
             Interval { low: 0.0, high: 0.0 } => Some(0),
@@ -108,12 +109,12 @@ impl Interval {
         }
     }
 
-    /// With ends so many steps of `f64` further out.
+    /// The interval with its ends moved outwards by `steps` floats.
     fn widened(self, steps: usize) -> Self {
         (0..steps).fold(self, |it, _| Interval { low: it.low.next_down(), high: it.high.next_up() })
     }
 
-    /// The range of a function that rises, off by less than two steps of `f64`.
+    /// The range of an increasing function whose computed values are wrong by less than two units in the last place.
     fn through(self, rising: impl Fn(f64) -> f64) -> Self {
         let range = Interval::new(rising(self.low), rising(self.high));
         if range == Self::EVERYTHING { range } else { range.widened(3) }
@@ -121,14 +122,14 @@ impl Interval {
 
     /// The range of the cosine.
     fn cosine(self) -> Self {
-        // far out a step of f64 is no small part of a turn
+        // for large arguments the spacing of floats is not small compared with a turn
         if !(self.size() < FARTHEST && self.width() < 2.0 * PI) {
             return Interval { low: -1.0, high: 1.0 };
         }
         let ends = [self.low, self.high].map(|end| Interval::point(end.circle().cos).widened(3));
         let hull = ends[0].hull(ends[1]);
         let mut range = Interval { low: hull.low.max(-1.0), high: hull.high.min(1.0) };
-        // multiples of half a turn inside, or as near as they can be told
+        // multiples of pi inside, or within the rounding error
         let slack = 1e-15 * (1.0 + self.size());
         let (first, last) = (((self.low - slack) / PI).floor() as i64, ((self.high + slack) / PI).ceil() as i64);
         for turn in first..=last {
@@ -141,10 +142,10 @@ impl Interval {
     }
 }
 
-/// Angles beyond have cosines from -1 to 1.
+/// Larger arguments give the range [-1, 1].
 const FARTHEST: f64 = 1e6;
 
-/// A sum that is zero is exact.
+/// The sum rounded down; zero is exact.
 fn down(sum: f64) -> f64 {
     if sum == 0.0 { 0.0 } else { sum.next_down() }
 }
@@ -191,7 +192,7 @@ impl Mul for Interval {
     }
 }
 
-/// Zero for a factor of zero and any other: infinite ends stand for large numbers.
+/// The product of two ends, with 0 times infinity as zero: infinite ends represent large numbers.
 fn product((a, b): (f64, f64)) -> f64 {
     match a * b {
         _ if a == 0.0 || b == 0.0 => 0.0,
@@ -244,7 +245,7 @@ impl Zero for Interval {
         Interval { low: 0.0, high: 0.0 }
     }
 
-    /// Whether it is zero alone.
+    /// Whether the interval is the point zero.
     fn is_zero(&self) -> bool {
         *self == Self::zero()
     }
@@ -264,7 +265,7 @@ impl Scalar for Interval {
             if is_exact { Interval::point(near) } else { Interval::point(near).widened(1) }
         };
         let quotient = whole(numerator) / whole(denominator);
-        // a quotient that a float holds exactly is a point
+        // a quotient that is exactly a float is a point
         let [n, d] = [numerator as f64, denominator as f64];
         let is_exact =
             whole(numerator).width() == 0.0 && whole(denominator).width() == 0.0 && (n / d).mul_add(d, -n) == 0.0;
@@ -298,7 +299,7 @@ impl Analytic for Interval {
         Circle { cos: self.cosine(), sin: (self - quarter).cosine() }
     }
 
-    /// Everything where some of it is negative: the law has no value there.
+    /// The whole line where part of the argument is negative: the function is undefined there.
     fn sqrt(self) -> Self {
         if self.low < 0.0 {
             return Self::EVERYTHING;
@@ -320,12 +321,12 @@ impl Analytic for Interval {
                 let range = self.through(of);
                 Interval { low: range.low.max(-1.0), high: range.high.min(1.0) }
             }
-            // the cut is the half line on which the second argument is negative and the first is zero
+            // the branch cut is the half line where the second argument is negative and the first is zero
             Elementary::Atan2 if self.contains(0.0) && other.low <= 0.0 => {
                 Interval::point(PI).hull(Interval::point(-PI)).widened(1)
             }
             Elementary::Atan2 => {
-                // no pole inside: the extremes lie in the corners
+                // without the pole inside, the extremes are at the corners
                 let corners =
                     [(self.low, other.low), (self.low, other.high), (self.high, other.low), (self.high, other.high)];
                 let all = corners.map(|(a, b)| Interval::point(function.of(a, b)).widened(3));
@@ -335,14 +336,14 @@ impl Analytic for Interval {
     }
 }
 
-/// pi/2 rounded down: the next float is above.
+/// pi/2 rounded down; the next float is above it.
 const FRAC_PI_2_BELOW: f64 = std::f64::consts::FRAC_PI_2;
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Numbers spread without order, the same in every run.
+    /// Pseudo-random numbers, equal in every run.
     fn numbers() -> impl Iterator<Item = f64> {
         (1..400).map(|k| 8.0 * (f64::from(k) * 12.9898).sin() * (f64::from(k) * 0.37).cos())
     }

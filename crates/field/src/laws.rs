@@ -1,11 +1,11 @@
-//! The laws that make a field, as checks that a test runs over every field of the workbench.
+//! The field axioms as checks for every scalar type.
 
 use crate::{Analytic, Circle, Scalar};
 
-/// The laws of a field at three of its numbers: pairs of sides that must agree, each with its name.
+/// The field axioms at three numbers: pairs of sides that must be equal, each with its name.
 ///
-/// `a`, `b`, `c` must be different from zero where the field can tell; the caller compares the sides with the
-/// equality of the field (exact, normal form, or to rounding).
+/// `a`, `b`, `c` must not be zero. The caller compares the sides by the equality of the type (exact, normal form, or
+/// within rounding).
 #[expect(clippy::eq_op, reason = "a law may name the same number twice")]
 pub fn field_laws<S: Scalar>(a: S, b: S, c: S) -> Vec<(&'static str, S, S)> {
     let (zero, one) = (S::zero(), S::one());
@@ -42,7 +42,7 @@ pub fn field_laws<S: Scalar>(a: S, b: S, c: S) -> Vec<(&'static str, S, S)> {
     ]
 }
 
-/// The laws of circle points at two of them, given by their half tangents.
+/// The laws of circle points at two points, given by their half tangents.
 #[expect(clippy::eq_op, reason = "a law may name the same number twice")]
 pub fn circle_laws<S: Scalar>(t: S, u: S) -> Vec<(&'static str, S, S)> {
     let (p, q) = (Circle::from_half_tangent(t), Circle::from_half_tangent(u));
@@ -66,7 +66,7 @@ pub fn circle_laws<S: Scalar>(t: S, u: S) -> Vec<(&'static str, S, S)> {
     ]
 }
 
-/// The laws of square roots and of angles as numbers, at two positive numbers.
+/// The laws of square roots and of circle points, at two positive numbers.
 pub fn analytic_laws<S: Analytic>(a: S, b: S) -> Vec<(&'static str, S, S)> {
     let (p, q) = (a.circle(), b.circle());
     vec![

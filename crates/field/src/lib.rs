@@ -1,19 +1,20 @@
-//! Number types over which every law of motion is evaluated: floating-point, exact, with derivatives, and others.
+//! Scalar types over which laws of motion are evaluated: floating-point, exact, with derivatives, and others.
 //!
 //! # Overview
-//! For authors of laws and methods. A law is a function generic over [`Scalar`], which has field operations and exact constants, but
-//! *no comparison*: a law cannot branch on a value. An angle is a point ([`Circle`]) of the unit circle; laws are therefore algebraic.
+//! For authors of laws and methods. A law is a function generic over [`Scalar`], which has field operations and exact
+//! constants, but *no comparison*: a law cannot branch on a value. An angle is a point ([`Circle`]) of the unit circle,
+//! so that laws are algebraic.
 //!
-//! | field | gives |
+//! | type | use |
 //! |---|---|
 //! | `f64` | simulation |
 //! | [`Tangent`] over any field, the dual numbers of `num-dual` over `f64` | derivatives in forward mode |
 //! | [`Rational`] | exact points and counterexamples |
 //! | [`DoubleDouble`] | reference solutions |
-//! | [`Batch`] | several systems at once, one in each place of a vector register |
+//! | [`Batch`] | several systems at once, one in each lane of a SIMD register |
 //! | `Sym` (crate `symbolic`) | proofs, printing, straight-line code |
 //!
-//! Every field passes one suite of tests of the field laws ([`laws`]).
+//! Every type passes the checks of the field axioms ([`laws`]).
 //!
 //! # Example
 //! ```
@@ -53,5 +54,5 @@ pub use rational::Rational;
 pub use scalar::{Analytic, Base, Divisor, Over, Scalar};
 pub use tangent::{DerivativeKnowledge, Tangent};
 
-/// Twice the precision of `f64`: an unevaluated sum of two, 106 bits, relative error about 4e-32.
+/// A double-double number: an unevaluated sum of two `f64`, 106 bits, relative error about 4e-32.
 pub type DoubleDouble = xprec::Df64;

@@ -9,11 +9,11 @@ use std::cell::RefCell;
 use std::fmt;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
-/// A quotient of integers in lowest terms, of any size. Division by zero gives [`Rational::UNDEFINED`], which absorbs
-/// every operation and equals nothing, not even itself.
+/// A fraction of integers of any size, in lowest terms. Division by zero gives [`Rational::UNDEFINED`], which
+/// propagates through every operation and is not equal to anything, including itself.
 ///
-/// Values whose numerator and denominator fit in 63 bits are held in place. Larger ones are interned once and live as
-/// long as the program: exact points and counterexamples are few, and being `Copy` lets one law serve every field.
+/// Values whose numerator and denominator fit in 63 bits are stored directly. Larger ones are interned and live as long
+/// as the program: exact points and counterexamples are few, and a `Copy` type can be used by all laws.
 #[derive(Clone, Copy)]
 pub struct Rational(Repr);
 
@@ -26,25 +26,25 @@ enum Repr {
 
 use Repr::{Large, Small, Undefined};
 
-/// An operation on two fractions [numerator, denominator] in machine integers; `None` where it leaves them.
+/// An operation on two fractions [numerator, denominator] in machine integers; `None` on overflow.
 type InPlace = fn([i128; 2], [i128; 2]) -> Option<(i128, i128)>;
 
 impl Rational {
     /// The result of a division by zero.
     pub const UNDEFINED: Rational = Rational(Undefined);
 
-    /// `numerator / denominator`, undefined where the denominator is zero.
+    /// `numerator / denominator`; undefined where the denominator is zero.
     pub fn new(numerator: i64, denominator: i64) -> Self {
         Self::reduced(i128::from(numerator), i128::from(denominator))
     }
 
-    /// The very value of a float, which is a fraction over a power of two; undefined for infinities and NaN.
+    /// The exact value of a float; undefined for infinities and NaN.
     pub fn exactly(value: f64) -> Self {
         RBig::try_from(value).map_or(Self::UNDEFINED, Self::from)
     }
 
-    /// The decimal with the fewest digits that reads as this float: the number that a person wrote, 1/10 and not the
-    /// binary fraction next to it. Undefined for infinities and NaN.
+    /// The shortest decimal that is read as this float: 1/10 for 0.1, not the binary fraction next to it. Undefined for
+    /// infinities and NaN.
     pub fn decimal(value: f64) -> Self {
         if !value.is_finite() {
             return Self::UNDEFINED;
@@ -56,7 +56,7 @@ impl Rational {
             return Self::UNDEFINED;
         };
         let shift = exponent - places as i64;
-        // a float has no more than a few hundred places
+        // a float has at most a few hundred decimal places
         let power = UBig::from(10u8).pow(shift.unsigned_abs() as usize);
         match shift < 0 {
             true => Self::from(RBig::from_parts(whole, power)),
@@ -69,7 +69,7 @@ impl Rational {
         !matches!(self.0, Undefined)
     }
 
-    /// The value with big integers, `None` where undefined.
+    /// The value with big integers; `None` where undefined.
     pub fn to_big(self) -> Option<RBig> {
         match self.0 {
             Small { numerator, denominator } => {
@@ -80,7 +80,7 @@ impl Rational {
         }
     }
 
-    /// The nearest `f64`, NaN where undefined: for display and for plausibility checks only.
+    /// The nearest `f64`; NaN where undefined. For display and plausibility checks only.
     pub fn to_f64(self) -> f64 {
         self.to_big().map_or(f64::NAN, |big| big.to_f64().value())
     }
@@ -140,7 +140,7 @@ impl From<RBig> for Rational {
     }
 }
 
-/// Euclid; both zero gives one, so that the caller may divide by it.
+/// The greatest common divisor by Euclid's algorithm; 1 for two zeros, so that the caller may divide by it.
 fn gcd(mut a: u128, mut b: u128) -> u128 {
     while b != 0 {
         (a, b) = (b, a % b);

@@ -1,4 +1,4 @@
-//! The scalar trait: the operations on a number that a law may use.
+//! The scalar traits: the operations that laws may use.
 
 use num_traits::{NumAssignOps, NumOps, One, Zero};
 use std::fmt::Debug;
@@ -9,13 +9,12 @@ use crate::sincos_double_double;
 use crate::sincos_f64::{far, is_near, near, plus};
 use crate::{Circle, Elementary};
 
-/// A number of some field: operations and exact constants, no order, no rounding to `f64`.
+/// A number of a field: operations and exact constants, without order and without rounding to `f64`.
 pub trait Scalar: Copy + Debug + PartialEq + 'static + Zero + One + NumOps + NumAssignOps + Neg<Output = Self> {
-    /// Whether each operation is a call: code with several operations, such as a derivative, is then a call too, and not
-    /// inlined.
+    /// Whether operations are function calls: compound code, such as derivatives, is then not inlined either.
     const CALLS: bool = false;
 
-    /// The quotient of two integers, as exactly as the field holds it. `denominator` must not be zero.
+    /// The quotient of two integers, to the precision of the type. `denominator` must not be zero.
     fn ratio(numerator: i64, denominator: i64) -> Self;
 
     /// An integer.
@@ -23,19 +22,19 @@ pub trait Scalar: Copy + Debug + PartialEq + 'static + Zero + One + NumOps + Num
         Self::ratio(n, 1)
     }
 
-    /// x + a b; a field that rounds may round it once.
+    /// x + a b; rounding types may round once.
     #[inline(always)]
     fn and_product(self, a: Self, b: Self) -> Self {
         self + a * b
     }
 
-    /// x - a b; a field that rounds may round it once.
+    /// x - a b; rounding types may round once.
     #[inline(always)]
     fn less_product(self, a: Self, b: Self) -> Self {
         self - a * b
     }
 
-    /// x a + b, which `f64` rounds once on every processor: for programs that have the same bits everywhere.
+    /// x a + b; `f64` rounds once on every processor, for bitwise equal results on all of them.
     #[inline(always)]
     fn times_and(self, a: Self, b: Self) -> Self {
         b + self * a
@@ -54,22 +53,23 @@ pub trait Scalar: Copy + Debug + PartialEq + 'static + Zero + One + NumOps + Num
     }
 }
 
-/// A field in which parameters are given: not itself an extension of another by derivatives.
+/// A scalar type for parameters: not itself an extension by derivatives.
 pub trait Base: Over<Self> {}
 
-/// A field that contains the base field `P`: laws hold their parameters in `P` and run over any `S: Over<P>`.
+/// A scalar type that contains the type `P` of the parameters: laws have parameters in `P` and are evaluated over any
+/// `S: Over<P>`.
 pub trait Over<P: Scalar>: Scalar {
-    /// The same number, seen in the larger field (its derivatives are zero).
+    /// A parameter as a number of this type, with zero derivatives.
     fn lift(parameter: P) -> Self;
 
-    /// x / d, as exactly as this field can; a field no finer than that of the parameters multiplies by 1/d.
+    /// x / d, to the precision of this type; a type no finer than `P` multiplies by the reciprocal.
     #[inline(always)]
     fn divided_by(self, divisor: Divisor<P>) -> Self {
         self / Self::lift(divisor.value)
     }
 }
 
-/// A parameter that laws divide by, with its reciprocal, which is computed once.
+/// A parameter used as a divisor, with its reciprocal, which is computed once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Divisor<P> {
     value: P,
@@ -77,41 +77,41 @@ pub struct Divisor<P> {
 }
 
 impl<P: Base> Divisor<P> {
-    /// `value` must not be zero.
+    /// The divisor `value`, which must not be zero.
     #[inline(always)]
     pub fn new(value: P) -> Self {
         Divisor { value, reciprocal: P::one() / value }
     }
 
-    /// d
+    /// The divisor d.
     #[inline(always)]
     pub fn value(self) -> P {
         self.value
     }
 
-    /// 1/d, rounded where P rounds.
+    /// The reciprocal 1/d, rounded if P rounds.
     #[inline(always)]
     pub fn reciprocal(self) -> P {
         self.reciprocal
     }
 }
 
-/// A field with square roots and with the circle point of an angle.
+/// A scalar type with square roots, circle points and elementary functions.
 pub trait Analytic: Scalar {
-    /// (cos x, sin x) of an angle in radians.
+    /// (cos x, sin x) of an angle x in rad.
     fn circle(self) -> Circle<Self>;
 
-    /// [`Analytic::circle`], in which `f64` rounds each product with its sum once, on every processor: see
+    /// As [`Analytic::circle`], where `f64` rounds each product with its sum once on every processor: see
     /// [`Scalar::times_and`].
     #[inline(always)]
     fn circle_once(self) -> Circle<Self> {
         self.circle()
     }
 
-    /// The non-negative square root.
+    /// The nonnegative square root.
     fn sqrt(self) -> Self;
 
-    /// An elementary function of this number and, where it has two arguments, of another.
+    /// An elementary function of this number and, for two arguments, of another.
     fn elementary(self, function: Elementary, other: Self) -> Self;
 }
 
@@ -137,7 +137,7 @@ impl Scalar for f64 {
     }
 }
 
-/// Whether all processors that this is compiled for round a product and a sum once in one instruction.
+/// Whether the compilation target has fused multiply-add instructions.
 const FUSED: bool = cfg!(target_feature = "fma");
 
 impl Base for f64 {}
@@ -189,7 +189,7 @@ impl Over<Df64> for Df64 {
     }
 }
 
-/// Data read as `f64` are exact in double-double.
+/// Data in `f64` are exact in double-double.
 impl Over<f64> for Df64 {
     #[inline]
     fn lift(parameter: f64) -> Self {
@@ -198,10 +198,10 @@ impl Over<f64> for Df64 {
 }
 
 impl Analytic for Df64 {
-    // always inlined: a caller compiled with fused products has them here too
+    // always inlined, so that a caller compiled with fused products uses them here too
     #[inline(always)]
     fn circle(self) -> Circle<Self> {
-        // beyond it multiples are not counted exactly; results of such an angle are lost in rounding anyway
+        // beyond this, turns are not counted exactly; results would be lost in rounding anyway
         let countable = self.hi().abs() < MOST_ANGLE;
         if countable { sincos_double_double::point(self) } else { Circle { cos: NONE, sin: NONE } }
     }
@@ -213,7 +213,7 @@ impl Analytic for Df64 {
     fn elementary(self, function: Elementary, other: Self) -> Self {
         let leading = function.of(self.hi(), other.hi());
         if !leading.is_finite() || leading == 0.0 {
-            // beyond the range of f64 the second half says nothing
+            // outside the range of f64 the low part is meaningless
             return Df64::from(leading);
         }
         match function {

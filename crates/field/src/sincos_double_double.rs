@@ -1,15 +1,15 @@
-//! Cosine and sine together in double-double: the angle less the nearest multiple of pi/16, and the addition theorem.
-//! Products are fused everywhere, so that every processor gives the same bits.
+//! Cosine and sine in double-double: reduction to the nearest multiple of pi/16, then the addition theorem. All
+//! products are fused, so that results are bitwise equal on every processor.
 
 use crate::{Circle, DoubleDouble};
 
-/// A number and its rounding error, not necessarily below its last place.
+/// A number and its rounding error, not necessarily normalised.
 type Double = [f64; 2];
 
-/// pi/16 in three parts: its multiples below 2^51 are known to 2^-108 of a unit, and better.
+/// pi/16 in three parts: multiples below 2^51 are accurate to 2^-108 in absolute terms.
 const SIXTEENTH: [f64; 3] = [0.196_349_540_849_362_07, 7.654_042_494_670_958e-18, -1.871_731_131_073_962_3e-34];
 
-/// cos(j pi/16)
+/// cos(j pi/16).
 const COSINES: [Double; 9] = [
     [1.0, 0.0],
     [0.980_785_280_403_230_4, 1.854_693_999_782_500_6e-17],
@@ -22,7 +22,7 @@ const COSINES: [Double; 9] = [
     [0.0, 0.0],
 ];
 
-/// (sin r - r)/r^3 in powers of r^2: Taylor's coefficients, those that count with all digits and the others.
+/// (sin r - r)/r^3 in powers of r^2: Taylor coefficients in double-double, then those for which `f64` suffices.
 const SINE: ([Double; 4], [f64; 4]) = (
     [
         [-1.0 / 6.0, -9.251_858_538_542_97e-18],
@@ -33,7 +33,7 @@ const SINE: ([Double; 4], [f64; 4]) = (
     [-2.505_210_838_544_172e-8, 1.605_904_383_682_161_3e-10, -7.647_163_731_819_816e-13, 2.811_457_254_345_520_6e-15],
 );
 
-/// (cos r - 1)/r^2 in powers of r^2.
+/// (cos r - 1)/r^2 in powers of r^2, likewise.
 const COSINE: ([Double; 5], [f64; 4]) = (
     [
         [-0.5, 0.0],
@@ -45,7 +45,8 @@ const COSINE: ([Double; 5], [f64; 4]) = (
     [2.087_675_698_786_81e-9, -1.147_074_559_772_972_5e-11, 4.779_477_332_387_385e-14, -1.561_920_696_858_622_6e-16],
 );
 
-/// Cosine and sine of an angle below 2^47 in size, off by less than 2^-104 of one, and a sine near zero by as much of itself.
+/// Cosine and sine of an angle below 2^47 in magnitude (rad), with an absolute error below 2^-104; for a sine near zero
+/// also the relative error.
 #[inline(always)]
 pub(crate) fn point(angle: DoubleDouble) -> Circle<DoubleDouble> {
     let (r, sixteenths) = remainder([angle.hi(), angle.lo()]);
@@ -63,13 +64,13 @@ pub(crate) fn point(angle: DoubleDouble) -> Circle<DoubleDouble> {
 /// 1.5 2^52: added to a number below 2^51 it leaves the nearest integer in the last bits.
 const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
-/// The remainder of an angle from the nearest multiple of pi/16, and that multiple in the last bits.
+/// The remainder of an angle modulo the nearest multiple of pi/16, and the integer multiple in the last bits.
 #[inline(always)]
 fn remainder([angle, rest]: Double) -> (Double, u64) {
     let counted = angle.mul_add(16.0 * std::f64::consts::FRAC_1_PI, ROUNDER);
     let count = counted - ROUNDER;
     let ([most, lost], [next, last]) = (product(count, SIXTEENTH[0]), product(count, SIXTEENTH[1]));
-    // the first difference is exact: its terms are within a factor of two, or the count is zero
+    // the first difference is exact: its terms are within a factor of two, or the multiple is zero
     let [r, first] = sum(angle - most, -lost);
     let [r, second] = sum(r, rest);
     let [r, third] = sum(r, -next);
@@ -77,7 +78,7 @@ fn remainder([angle, rest]: Double) -> (Double, u64) {
     (sum(r, rest), counted.to_bits())
 }
 
-/// a_0 + a_1 x + ..., the later terms in `f64`.
+/// The polynomial a_0 + a_1 x + ..., the later terms in `f64`.
 #[inline(always)]
 fn series<const N: usize>((fine, [a, b, c, d]): &([Double; N], [f64; 4]), x: Double) -> Double {
     let coarse = x[0].mul_add(x[0].mul_add(x[0].mul_add(*d, *c), *b), *a);
@@ -117,10 +118,10 @@ fn whole([most, rest]: Double, turned: bool) -> DoubleDouble {
 mod tests {
     use super::*;
 
-    /// The unit of rounding of a number of 106 digits, in binary.
+    /// The unit of rounding of a number of 106 bits.
     const UNIT: f64 = 1.232_595_164_407_831e-32;
 
-    /// Angles of both signs and of every size and sixteenth, with rests of all sizes.
+    /// Angles of both signs and all magnitudes and sixteenths, with low parts of all sizes.
     fn angles() -> impl Iterator<Item = DoubleDouble> {
         let bits = |i: u64| i.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 12;
         let unit = move |i: u64| bits(i) as f64 / (1_u64 << 52) as f64;
@@ -154,7 +155,7 @@ mod tests {
     fn turns_of_a_large_angle_are_counted_to_the_last() {
         let turn = DoubleDouble::new_full(std::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
         for angle in angles().take(1_000) {
-            // the product leaves out 2^-106 of itself
+            // the product has an error of 2^-106 relative
             let near = point(angle + turn * DoubleDouble::from(1e12));
             let off = (near.cos - point(angle).cos).hi().abs().max((near.sin - point(angle).sin).hi().abs());
             assert!(off < 1e13 * 4.0 * UNIT, "{angle:?}: {off:e}");
@@ -174,7 +175,7 @@ mod tests {
 
     #[test]
     fn the_sine_next_to_whole_turns_is_what_they_leave_out() {
-        // 2 pi is the sum of these and of less than 1e-48
+        // 2 pi is the sum of these two, up to 1e-48
         let (turn, left_out) =
             (DoubleDouble::new_full(std::f64::consts::TAU, 2.449_293_598_294_706_4e-16), -5.989_539_619_436_679e-33);
         for doubled in 0..40 {

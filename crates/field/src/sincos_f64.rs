@@ -1,9 +1,9 @@
-//! Cosine and sine together, for angles that are not too far from zero: inlined into the law, one number or many side by side.
-//! No library's version changes a run.
+//! Cosine and sine for moderate angles, inlined into the law, for single numbers and batches. Independent of the
+//! version of any library.
 
 use crate::Circle;
 
-/// Whether the quarter turns of an angle are counted exactly.
+/// Whether the angle is small enough for an exact count of quarter turns.
 #[inline(always)]
 pub(crate) fn is_near(angle: f64) -> bool {
     angle.abs() <= 1e6
@@ -12,7 +12,7 @@ pub(crate) fn is_near(angle: f64) -> bool {
 /// 1.5 2^52: added to a number below 2^51 it leaves the nearest integer in the last bits.
 const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
-/// pi/2 in three parts: the first two have 33 bits, so that 2^20 times each is exact (Sun's fdlibm).
+/// pi/2 in three parts: the first two have 33 bits, so that products with integers up to 2^20 are exact (Sun's fdlibm).
 const QUARTER: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
 
 /// (sin r - r)/r^3 and (cos r - 1 + r^2/2)/r^4 in powers of r^2, for |r| <= pi/4 (Sun's fdlibm, errors below 2^-57).
@@ -33,20 +33,20 @@ const COSINE: [f64; 6] = [
     -1.135_964_755_778_819_5e-11,
 ];
 
-/// Cosine and sine of an angle that is near, off by less than 0.8 units of the last place.
+/// Cosine and sine of an angle with [`is_near`], with an error below 0.8 units in the last place.
 #[inline(always)]
 pub(crate) fn near<const FUSED: bool>(angle: f64) -> Circle<f64> {
     let sum = plus::<FUSED>;
     let counted = sum(ROUNDER, angle, std::f64::consts::FRAC_2_PI);
     let quarters = counted - ROUNDER;
-    // the remainder of the angle is r and, below its last digit, tail
+    // the remainder of the angle is r + tail
     let first = sum(angle, quarters, -QUARTER[0]);
     let second = sum(first, quarters, -QUARTER[1]);
     let r = sum(second, quarters, -QUARTER[2]);
     let tail = sum(second - r, quarters, -QUARTER[2]) + sum(first - second, quarters, -QUARTER[1]);
     let z = r * r;
     let z2 = z * z;
-    // in pairs, so that fewer sums wait for each other
+    // in pairs, to reduce latency
     let series = |c: &[f64; 6]| sum(sum(c[0], c[1], z), sum(sum(c[2], c[3], z), sum(c[4], c[5], z), z2), z2);
     let half = 0.5 * z;
     let most = 1.0 - half;
@@ -66,7 +66,7 @@ pub(crate) fn plus<const FUSED: bool>(c: f64, a: f64, b: f64) -> f64 {
     if FUSED { a.mul_add(b, c) } else { c + a * b }
 }
 
-/// Like `near`, for an angle far from zero, or not finite.
+/// Cosine and sine of a large angle, or one that is not finite.
 #[cold]
 #[inline(never)]
 pub(crate) fn far(angle: f64) -> Circle<f64> {

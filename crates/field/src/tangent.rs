@@ -1,19 +1,20 @@
-//! First derivatives in any field, forward mode.
+//! First derivatives by forward-mode differentiation over any scalar type.
 //!
-//! num-dual's duals need an ordered base with a value in `f64`; a proof runs over a field that has neither. A tangent
-//! needs the field operations alone: one derivation runs over `f64`, exact rationals, double-double and expressions.
-//! Nested once it gives second derivatives. Over `f64` num-dual is the second route that checks it.
+//! The dual numbers of `num-dual` need an ordered base type with a value in `f64`, which symbolic and exact types lack.
+//! A tangent needs field operations only: one derivation is valid over `f64`, exact rationals, double-double and
+//! expressions. Nesting gives second derivatives. Over `f64` num-dual is an independent check.
 
 use crate::{Analytic, Base, Circle, Divisor, Elementary, Over, Scalar};
 use num_traits::{One, Zero};
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
-/// Whether a number moves, as far as this is known beside its slope.
+/// Run-time knowledge of whether the derivative of a number is zero.
 ///
-/// With `()` nothing is known, and all products with slopes that are zero are formed. With `bool` they are left out, which no
-/// compiler may do where numbers round: a short law that is inlined whole then costs as much as derivatives written by hand.
-/// (A long one, or one differentiated twice, would be compiled for every combination of constant numbers.)
+/// With `()` there is none, and all products with zero derivatives are computed. With `bool` they are skipped, which a
+/// compiler may not do in floating point: a short law that is inlined completely then costs as much as derivatives
+/// written by hand. (A long law, or one differentiated twice, would be compiled for every combination of constant
+/// numbers.)
 pub trait DerivativeKnowledge: Copy + Debug + 'static {
     const KNOWN: bool;
     fn of(moves: bool) -> Self;
@@ -46,7 +47,7 @@ impl DerivativeKnowledge for bool {
     }
 }
 
-/// value + slope e with e^2 = 0.
+/// The dual number value + slope e with e^2 = 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Tangent<S, M = ()> {
     pub value: S,
@@ -55,13 +56,13 @@ pub struct Tangent<S, M = ()> {
 }
 
 impl<S: Scalar> Tangent<S> {
-    /// A number that does not move.
+    /// A constant: slope 0.
     #[inline(always)]
     pub fn fixed(value: S) -> Self {
         Tangent::at_rest(value)
     }
 
-    /// A number that moves at the rate `slope`.
+    /// A number with the derivative `slope`.
     #[inline(always)]
     pub fn moving(value: S, slope: S) -> Self {
         Tangent::at_rate(value, slope)
@@ -142,7 +143,7 @@ impl<S: Scalar, M: DerivativeKnowledge> Tangent<S, M> {
     }
 }
 
-/// The operations as calls.
+/// The operations as function calls.
 mod called {
     use super::{DerivativeKnowledge, Scalar, Tangent};
 

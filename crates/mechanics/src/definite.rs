@@ -1,14 +1,15 @@
-//! Linear equations with a symmetric positive definite matrix, over any field.
+//! Linear equations with a symmetric positive definite matrix, over any scalar type.
 //!
-//! Elimination needs no choice of pivots here (all of them are positive), and a scalar without order could not choose.
+//! Elimination needs no pivoting, since all pivots are positive. Pivoting would need comparisons, which symbolic
+//! scalars lack.
 
 use crate::differentiate::{along, fixed, unit};
 use field::{Scalar, Tangent};
 
-/// A pivot vanished: the matrix is not definite.
+/// The error of a zero pivot: the matrix is not definite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotDefinite {
-    /// The first row that depends on those before it.
+    /// The index of the first row that depends on those before it.
     pub row: usize,
 }
 
@@ -20,7 +21,7 @@ impl std::fmt::Display for NotDefinite {
 
 impl std::error::Error for NotDefinite {}
 
-/// x with A x = b, by elimination in the order of the rows.
+/// The solution x of A x = b, by elimination in the order of the rows.
 ///
 /// # Errors
 /// [`NotDefinite`] where a pivot is exactly zero.
@@ -46,7 +47,8 @@ pub fn solve<S: Scalar, const N: usize>(mut a: [[S; N]; N], mut b: [S; N]) -> Re
     Ok(b)
 }
 
-/// The root of an affine map with such a matrix: its value at zero, and one tangent pass for each unknown.
+/// The root of an affine map whose matrix is symmetric positive definite, from its value at zero and one derivative for
+/// each unknown.
 ///
 /// # Errors
 /// [`NotDefinite`] where a pivot is exactly zero.

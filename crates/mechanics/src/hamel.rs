@@ -1,7 +1,7 @@
-//! Lagrange's equations in quasi-velocities, after Boltzmann and Hamel.
+//! The equations of Boltzmann and Hamel: Lagrange's equations in quasi-velocities.
 //!
-//! Quasi-velocities w = W(q) q' are linear forms of the velocities that need not be derivatives of coordinates. With
-//! the fields X_j (q' = X_j for w = unit vector j) and their brackets [X_j, X_m] = sum_l c^l_jm X_l the equations read
+//! Quasi-velocities w = W(q) q' are linear forms of the velocities that need not be rates of coordinates. With the
+//! fields X_j (q' = X_j for w = unit vector j) and their brackets [X_j, X_m] = sum_l c^l_jm X_l the equations are
 //!
 //!   d/dt (dT/dw_j) + sum_lm c^l_jm w_m dT/dw_l - X_j(T) = Q_j ,
 //!
@@ -11,11 +11,11 @@ use crate::differentiate::{along, fixed, gradient, unit};
 use field::{Scalar, Tangent};
 use nalgebra::{SMatrix, SVector};
 
-/// The left side of the equations above, for a kinetic energy T(w) that does not depend on the position (as for a body
-/// about a fixed point), at position q, quasi-velocities w and their rates.
+/// The left-hand side of these equations for a kinetic energy T(w) independent of the position, as for a body about a
+/// fixed point.
 ///
-/// `fields(q)` are the X_j as columns, moving with q to form their brackets; `forms` is W(q), the inverse of their
-/// matrix.
+/// `fields(q)` has the X_j as columns, over dual numbers for their brackets; `forms` is W(q), the inverse of their
+/// matrix. `rates` are w'.
 pub fn boltzmann_hamel<S: Scalar, const N: usize>(
     kinetic_energy: impl Fn([Tangent<Tangent<S>>; N]) -> Tangent<Tangent<S>>,
     forms: SMatrix<S, N, N>,
@@ -40,14 +40,14 @@ pub fn boltzmann_hamel<S: Scalar, const N: usize>(
     })
 }
 
-/// The structure functions c^l_jm of the brackets [X_j, X_m] = D X_m X_j - D X_j X_m, as one matrix (j, m) for each l.
+/// The structure functions c^l_jm of the brackets [X_j, X_m] = D X_m X_j - D X_j X_m, as a matrix (j, m) for each l.
 fn brackets<S: Scalar, const N: usize>(
     forms: SMatrix<S, N, N>,
     fields: impl Fn([Tangent<S>; N]) -> SMatrix<Tangent<S>, N, N>,
     position: [S; N],
 ) -> [SMatrix<S, N, N>; N] {
     let at_rest = fields(fixed(position)).map(|x| x.value);
-    // derivative of every field along X_j
+    // the derivatives of all fields along X_j
     let derived: [SMatrix<S, N, N>; N] = std::array::from_fn(|j| {
         let direction: [S; N] = std::array::from_fn(|i| at_rest[(i, j)]);
         fields(along(position, direction)).map(|x| x.slope)

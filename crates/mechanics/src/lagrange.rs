@@ -3,10 +3,10 @@
 use crate::differentiate::{along, fixed, unit};
 use field::{Scalar, Tangent};
 
-/// d/dt (dL/dq'_i) - dL/dq_i for each i, at a position, velocity and acceleration.
+/// The expressions d/dt (dL/dq'_i) - dL/dq_i for each i, for a given position, velocity and acceleration.
 ///
-/// One nested pass for each coordinate: the outer tangent varies q'_i, the inner one moves along the motion (q', q'');
-/// their mixed derivative is the total time derivative of the momentum.
+/// One nested evaluation for each coordinate: the outer tangent varies q'_i, the inner one follows the motion (q',
+/// q''). Their mixed derivative is the total time derivative of the momentum.
 pub fn lagrange<S: Scalar, const N: usize>(
     lagrangian: impl Fn([Tangent<Tangent<S>>; N], [Tangent<Tangent<S>>; N]) -> Tangent<Tangent<S>>,
     position: [S; N],
@@ -16,7 +16,7 @@ pub fn lagrange<S: Scalar, const N: usize>(
     rheonomic(|_, q, dq| lagrangian(q, dq), S::zero(), position, velocity, acceleration)
 }
 
-/// [`lagrange`] for L(t, q, q').
+/// As [`lagrange`], for L(t, q, q').
 pub fn rheonomic<S: Scalar, const N: usize>(
     lagrangian: impl Fn(Tangent<Tangent<S>>, [Tangent<Tangent<S>>; N], [Tangent<Tangent<S>>; N]) -> Tangent<Tangent<S>>,
     time: S,

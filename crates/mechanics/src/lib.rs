@@ -1,4 +1,4 @@
-//! The principles of mechanics over any field.
+//! The principles of mechanics over any scalar type.
 //!
 //! # Overview
 //! For programs that derive equations of motion and prove statements about them. A system is given by its energies, as functions generic
@@ -7,21 +7,21 @@
 //!
 //! | principle | from | module |
 //! |---|---|---|
-//! | Lagrange II | L(q, q') | [`lagrange`] |
+//! | Lagrange, second kind | L(q, q') | [`lagrange`] |
 //! | Lagrange in quasi-velocities (Boltzmann, Hamel) | T(q, w), w = W(q) q' | [`hamel`] |
 //! | Appell | the acceleration energy S of the mass points | [`appell`] |
 //! | angular momentum | the angular momentum of the mass points | [`momentum`] |
 //!
 //! For systems given by masses, forces and constraints in the coordinates of their mass points, [`constrained`] derives
-//! multipliers, reactions, Gauss' minimum and equations in redundant coordinates from this single description. [`regimes`]
-//! finds the modes of contacts that satisfy Coulomb's law of friction.
+//! multipliers, reactions, the equations by Gauss' principle and those in redundant coordinates from one description.
+//! [`regimes`] finds the contact modes that are consistent with Coulomb's law of friction.
 //!
 //! [`bellman`] derives Riccati's equation of optimal control from Bellman's. [`stability`] decides asymptotic stability
 //! by Hurwitz' determinants; [`linear_stability`] counts roots and signs exactly, including singular cases.
 //! [`one_step_stability`] gives the linear stability of a one-step method on a steady motion.
 //!
-//! Each principle returns *residuals*: expressions in accelerations that vanish along the motion. The right-hand side of
-//! a run makes every residual vanish; claims of the ledger prove this.
+//! Each principle returns *residuals*: functions of the accelerations that vanish along the motion. Claims of the
+//! ledger prove that the right-hand side of a run makes every residual vanish.
 //!
 //! # Example
 //! ```

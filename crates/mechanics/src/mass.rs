@@ -1,24 +1,23 @@
-//! Bodies as clouds of mass points, integrated exactly.
+//! Mass distributions, integrated exactly.
 //!
-//! Every velocity and acceleration in a rigid body is affine in the place r of the mass point: integrals of products
-//! need only the mass, the first moments and the matrix of second moments, neither Koenig's theorem nor an inertia
-//! tensor.
+//! Every velocity and acceleration of a rigid body is affine in the position r of the mass point. Integrals of products
+//! therefore need only the mass, the first moments and the matrix of second moments.
 
 use field::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
-/// The moments up to second order of a distribution of mass about a point: integrals of dm, r dm and r r^T dm.
+/// The moments of a mass distribution about a point up to second order: the integrals of dm, r dm and r r^T dm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassMoments<S: Scalar> {
-    /// kg
+    /// The mass, kg.
     pub mass: S,
-    /// kg m
+    /// The first moments, kg m.
     pub first: Vector3<S>,
-    /// kg m^2
+    /// The second moments, kg m^2.
     pub second: Matrix3<S>,
 }
 
-/// A vector field affine in the place: u(r) = origin + gradient r.
+/// A vector field affine in the position: u(r) = origin + gradient r.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AffineField<S: Scalar> {
     pub origin: Vector3<S>,
@@ -26,18 +25,18 @@ pub struct AffineField<S: Scalar> {
 }
 
 impl<S: Scalar> AffineField<S> {
-    /// The place itself: u(r) = offset + r.
+    /// The position field u(r) = offset + r.
     pub fn place(offset: Vector3<S>) -> Self {
         AffineField { origin: offset, gradient: Matrix3::identity() }
     }
 
-    /// w x u.
+    /// The field w x u.
     pub fn turned(self, w: Vector3<S>) -> Self {
         let turn = cross_matrix(w);
         AffineField { origin: turn * self.origin, gradient: turn * self.gradient }
     }
 
-    /// The part that depends on the place.
+    /// The field without its constant part.
     pub fn relative(self) -> Self {
         AffineField { origin: Vector3::zeros(), gradient: self.gradient }
     }
@@ -51,7 +50,8 @@ impl<S: Scalar> std::ops::Add for AffineField<S> {
 }
 
 impl<S: Scalar> MassMoments<S> {
-    /// A body from its inertia tensor about the point of reference: the second moments are tr(J)/2 - J.
+    /// A body from its mass, centre of mass and inertia tensor J about the reference point: the second moments are
+    /// tr(J)/2 - J.
     pub fn from_inertia(mass: S, centre: Vector3<S>, inertia: Matrix3<S>) -> Self {
         let second = Matrix3::identity() * inertia.trace().half() - inertia;
         MassMoments { mass, first: centre * mass, second }
@@ -68,7 +68,7 @@ impl<S: Scalar> MassMoments<S> {
         Vector3::new(d[(1, 2)] - d[(2, 1)], d[(2, 0)] - d[(0, 2)], d[(0, 1)] - d[(1, 0)])
     }
 
-    /// The inertia tensor about the point of reference, integral of (r.r 1 - r r^T) dm.
+    /// The inertia tensor about the reference point, integral of (r.r 1 - r r^T) dm, kg m^2.
     pub fn inertia(&self) -> Matrix3<S> {
         Matrix3::identity() * self.second.trace() - self.second
     }
@@ -82,7 +82,7 @@ impl<S: Scalar> MassMoments<S> {
     }
 }
 
-/// The matrix of w x (.).
+/// The matrix of the map u -> w x u.
 pub fn cross_matrix<S: Scalar>(w: Vector3<S>) -> Matrix3<S> {
     let o = S::zero();
     Matrix3::new(o, -w.z, w.y, w.z, o, -w.x, -w.y, w.x, o)

@@ -1,15 +1,16 @@
-//! Orientation of a body, minimal coordinates of SO(3) and the kinematics that follow from them.
+//! Rotations of a rigid body: rotation matrices, coordinates of SO(3), and angular velocity.
 
 use crate::differentiate::{along, unit};
 use field::{Analytic, Circle, Scalar, Tangent};
 use nalgebra::{Matrix3, Vector3};
 
-/// The rotation matrix of Euler's angles (precession, nutation, spin; axes 3-1-3): columns are the body's axes in space.
+/// The rotation matrix of Euler angles in rad (precession, nutation, spin; axes 3-1-3). Its columns are the body's axes
+/// in space.
 pub fn euler<S: Analytic>([precession, nutation, spin]: [S; 3]) -> Matrix3<S> {
     about_third(precession.circle()) * about_first(nutation.circle()) * about_third(spin.circle())
 }
 
-/// The rotation matrix of a quaternion of any length but zero: rational, and onto SO(3).
+/// The rotation matrix of a quaternion, which need not be normalised: a rational map onto SO(3).
 pub fn quaternion<S: Scalar>([a, b, c, d]: [S; 4]) -> Matrix3<S> {
     let norm = a * a + b * b + c * c + d * d;
     let two = S::int(2);
@@ -26,13 +27,13 @@ pub fn quaternion<S: Scalar>([a, b, c, d]: [S; 4]) -> Matrix3<S> {
     ) / norm
 }
 
-/// The angular velocity in body components, from R along the motion: `[w]` = R^T R'.
+/// The angular velocity w in body components, from the rotation matrix R along the motion: `[w]` = R^T R'.
 pub fn angular_velocity<S: Scalar>(rotation: Matrix3<Tangent<S>>) -> Vector3<S> {
     let turn = rotation.map(|x| x.value).transpose() * rotation.map(|x| x.slope);
     Vector3::new(turn[(2, 1)], turn[(0, 2)], turn[(1, 0)])
 }
 
-/// W(q) of Euler's angles: w = W q' in body components. Singular where the nutation has sine zero.
+/// The matrix W(q) of Euler angles with w = W q' in body components. Singular where the sine of the nutation is zero.
 pub fn euler_forms<S: Analytic>(angles: [S; 3]) -> Matrix3<S> {
     let columns: [Vector3<S>; 3] = std::array::from_fn(|i| angular_velocity(euler(along(angles, unit(i)))));
     Matrix3::from_columns(&columns)
@@ -43,10 +44,10 @@ pub fn vertical<S: Scalar>(rotation: &Matrix3<S>) -> Vector3<S> {
     rotation.row(2).transpose()
 }
 
-/// A constant vector of space, in axes that have turned about their k-th (0, 1, 2) by twice the angle given.
+/// The components of a space-fixed vector in axes rotated about their k-th axis (0, 1, 2) by twice the given angle.
 ///
-/// From half the angle since c^2 + s^2 = 1 + d, as rounding leaves it, then changes the length by 2 s^2 d of itself:
-/// the smaller the turn, the less (Vilmart 2008 on rounding in rigid body integrators).
+/// By half the angle: a rounding error c^2 + s^2 = 1 + d then changes the length relatively by 2 s^2 d only, which
+/// decreases with the angle (Vilmart 2008 on rounding in rigid body integrators).
 #[inline]
 pub fn turned_about<S: Scalar>(mut v: Vector3<S>, k: usize, half: Circle<S>) -> Vector3<S> {
     let (i, j) = ((k + 1) % 3, (k + 2) % 3);
@@ -57,14 +58,14 @@ pub fn turned_about<S: Scalar>(mut v: Vector3<S>, k: usize, half: Circle<S>) -> 
     v
 }
 
-/// [`turned_about`] for any unit vector.
+/// As [`turned_about`], for rotation about any unit vector.
 #[inline]
 pub fn turned_along<S: Scalar>(v: Vector3<S>, unit: Vector3<S>, half: Circle<S>) -> Vector3<S> {
     let across = unit.cross(&v);
     v + (unit.cross(&across) * half.sin - across * half.cos) * (half.sin + half.sin)
 }
 
-/// The inverse by the adjugate, without choosing a pivot; the determinant stands in the denominator.
+/// The inverse, by the adjugate and the determinant, without pivoting.
 pub fn inverse<S: Scalar>(m: &Matrix3<S>) -> Matrix3<S> {
     adjugate(m) / determinant(m)
 }

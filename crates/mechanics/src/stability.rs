@@ -1,11 +1,14 @@
-//! Linear stability of a rest state, x' = A x: characteristic polynomial and Hurwitz' minors, over any field.
+//! Asymptotic stability of an equilibrium of x' = A x: characteristic polynomial and Hurwitz' minors, over any scalar
+//! type.
 //!
-//! A rest state is asymptotically stable if every root of det(mu - A) has a negative real part: if and only if every
-//! leading minor of Hurwitz' matrix is positive. Over exact numbers both are exact; over a graph they are formulas.
+//! The equilibrium is asymptotically stable if and only if every root of det(mu - A) has a negative real part, which is
+//! equivalent to positive leading minors of Hurwitz' matrix. Both are exact over exact numbers, and formulas over
+//! symbolic expressions.
 
 use field::Scalar;
 
-/// c with det(mu - A) = mu^N + c_1 mu^(N-1) + ... + c_N, by Faddeev and Leverrier: it divides by 1, ..., N only.
+/// The coefficients c of det(mu - A) = mu^N + c_1 mu^(N-1) + ... + c_N, by the Faddeev-Leverrier algorithm, which
+/// divides by 1, ..., N only.
 pub fn characteristic<S: Scalar, const N: usize>(matrix: [[S; N]; N]) -> [S; N] {
     let mut coefficients = [S::zero(); N];
     let mut power = [[S::zero(); N]; N];
@@ -27,7 +30,7 @@ pub fn characteristic<S: Scalar, const N: usize>(matrix: [[S; N]; N]) -> [S; N] 
     coefficients
 }
 
-/// Hurwitz' leading minors of mu^N + c_1 mu^(N-1) + ...: row i, column j of the matrix is c_(2j - i), counted from 1.
+/// Hurwitz' leading minors of mu^N + c_1 mu^(N-1) + ...: the entry in row i, column j is c_(2j - i), counted from 1.
 pub fn hurwitz<S: Scalar, const N: usize>(coefficients: [S; N]) -> [S; N] {
     let entry = |i: usize, j: usize| match (2 * j + 1).checked_sub(i) {
         Some(0) => S::one(),
@@ -37,7 +40,7 @@ pub fn hurwitz<S: Scalar, const N: usize>(coefficients: [S; N]) -> [S; N] {
     std::array::from_fn(|size| minor(&entry, size + 1, 0, 0))
 }
 
-/// The determinant of the rows from `row` on and of the columns that are not `used`, by the row: for few rows.
+/// The determinant of the rows from `row` on, without the columns in the bit set `used`, by Laplace expansion.
 fn minor<S: Scalar>(entry: &impl Fn(usize, usize) -> S, size: usize, row: usize, used: u32) -> S {
     if row == size {
         return S::one();

@@ -1,4 +1,4 @@
-//! Pieces of a motor on a bench for splitting methods: the kick at a constant angle, and the drift at a constant
+//! The pieces of a motor on a bench for splitting methods: a kick at a constant angle, and a drift at a constant
 //! angular momentum.
 
 use super::{
@@ -10,27 +10,27 @@ use field::{Analytic, Base, Over, Scalar};
 use integrators::{Pieces, Real};
 use simulation::Running;
 
-/// The rotor on a bench over a field, with the flows of both pieces.
+/// A rotor on a bench, with the flows of both pieces.
 #[derive(Clone, Copy, Debug)]
 pub struct BenchFlows<S> {
-    /// A', kg m^2
+    /// The rotor's moment of inertia A', kg m^2.
     pub axial: S,
-    /// W, rad/s
+    /// The frame speed W, rad/s.
     pub frame_speed: S,
 }
 
 impl<S: Analytic> BenchFlows<S> {
-    /// g' = p/A' - W
+    /// The slip g' = p/A' - W, rad/s.
     pub fn slip(&self, point: &Point<S>) -> S {
         point.momentum / self.axial - self.frame_speed
     }
 
-    /// The slip that a unit of impulse gives.
+    /// The change of slip per unit of angular impulse, 1/(kg m^2).
     pub fn compliance(&self) -> S {
         S::one() / self.axial
     }
 
-    /// The kick at a constant angle. Returns the residual of the equation that it solves by iteration.
+    /// The flow of the kick at a constant angle. Returns the residual of the equation that is solved by iteration.
     #[inline]
     pub fn push<P: Base, A: FixedAngleMachine<P, S>>(&self, machine: &A, by: &Kick<S>, point: &mut Point<S>) -> S
     where
@@ -39,14 +39,14 @@ impl<S: Analytic> BenchFlows<S> {
         kick(machine, by, self.slip(point), S::zero(), point)
     }
 
-    /// The drift at a constant angular momentum.
+    /// The flow of the drift over a time `length` (s) at a constant angular momentum.
     #[inline]
     pub fn drift(&self, length: S, point: &mut Point<S>) {
         point.angle += length * self.slip(point);
     }
 }
 
-/// H = p^2/(2 A') - W p + U(g) and the circuits, in two pieces.
+/// The pieces of H = p^2/(2 A') - W p + U(g) with the circuits.
 struct BenchPieces<'a, S: Scalar, M> {
     machine: &'a M,
     acting: Programmed<'a, S, M>,

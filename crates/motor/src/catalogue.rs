@@ -1,4 +1,4 @@
-//! The catalogue of motors by name, from every crate that is linked.
+//! The catalogue of motors, from all linked crates.
 //!
 //! ```
 //! let motor = dalembert_motor::catalogue::entry("perpetuum_mobile");
@@ -13,29 +13,29 @@ use reader::{Allowed, Quantity};
 use std::sync::Arc;
 use symbolic::{Sym, apart};
 
-/// A motor of the catalogue: its data, and its laws in letters that stand for them.
+/// A motor of the catalogue: its data, and its laws as symbolic expressions of them.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
     /// The name in scene files.
     pub name: &'static str,
     /// A summary in one line, for lists and reports.
     pub summary: &'static str,
-    /// The data in their order; none has the name of a letter of the motion, g, g', phi', or of a current.
+    /// The data in order. Their names differ from the symbols of the motion (g, g', phi') and of the currents.
     pub data: &'static [Quantity],
-    /// Whole numbers of at least one that make the motor, such as that of its bars.
+    /// Integer parameters of at least one, such as the number of bars.
     pub counts: &'static [Count],
     /// Records the laws as expressions.
     pub write: fn(&mut MachineLetters) -> Result<Laws, TooLong>,
 }
 
-/// A whole number of at least one.
+/// An integer parameter of at least one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Count {
     pub name: &'static str,
     pub meaning: &'static str,
 }
 
-/// The motors that a crate brings, in the order of lists; catalogues are ordered by name.
+/// The motors of a crate, in the order of lists; catalogues are sorted by name.
 #[derive(Clone, Copy, Debug)]
 pub struct Catalogue {
     pub name: &'static str,
@@ -47,7 +47,7 @@ inventory::collect!(Catalogue);
 /// Rotors without a motor.
 const ROTORS: &[&Entry] = &[&constant_speed::ENTRY, &free_rotor::ENTRY];
 
-/// Every motor with a name, after the rotors without a motor.
+/// All motors, after the rotors without a motor.
 pub fn entries() -> Vec<&'static Entry> {
     let mut catalogues: Vec<&Catalogue> = inventory::iter::<Catalogue>().collect();
     catalogues.sort_by_key(|catalogue| catalogue.name);
@@ -59,38 +59,38 @@ pub fn entry(name: &str) -> Option<&'static Entry> {
     entries().into_iter().find(|entry| entry.name == name)
 }
 
-/// Whether several motors have this name: a file cannot mean one of them then.
+/// Whether several motors have this name, so that a file cannot refer to one of them.
 pub fn is_ambiguous(name: &str) -> bool {
     name == text::NAME && entry(name).is_some() || entries().iter().filter(|entry| entry.name == name).count() > 1
 }
 
 impl Entry {
-    /// The laws for these counts, in the order of [`Entry::counts`].
+    /// The laws for given counts, in the order of [`Entry::counts`].
     ///
     /// # Errors
-    /// [`TooLong`].
+    /// [`TooLong`] where a law exceeds the registers of a program.
     pub fn laws(&'static self, counts: &[usize]) -> Result<Arc<Laws>, TooLong> {
         let counts: Vec<(Count, usize)> = self.counts.iter().copied().zip(counts.iter().copied()).collect();
         apart(|| (self.write)(&mut MachineLetters { entry: self, counts, settled: Vec::new() })).map(Arc::new)
     }
 }
 
-/// A motor of the catalogue, with this value for each quantity and this one for each count, without their bounds.
+/// A motor of the catalogue with the given value for each quantity and for each count, without a check of bounds.
 pub fn sampled(name: &str, value: impl FnMut(&Quantity) -> f64, count: usize) -> Option<Motor> {
     let entry = entry(name)?;
     let laws = entry.laws(&vec![count; entry.counts.len()]).ok()?;
     Some(Motor::new(laws, entry.data.iter().map(value).collect(), Allowed::ALL))
 }
 
-/// The letter of a datum.
+/// The symbol of a datum.
 ///
 /// # Errors
-/// None.
+/// None; the type is that of the other steps of a recording.
 pub fn letter(quantity: &Quantity) -> Result<Sym, TooLong> {
     Ok(Sym::symbol(&quantity.name))
 }
 
-/// The letters and counts for which the laws of a motor are recorded.
+/// The symbols and counts with which the laws of a motor are recorded.
 #[derive(Debug)]
 pub struct MachineLetters {
     entry: &'static Entry,
@@ -99,27 +99,28 @@ pub struct MachineLetters {
 }
 
 impl MachineLetters {
-    /// The count of a name; one where there is none of this name.
+    /// The count with this name; 1 if there is none.
     pub fn count(&self, name: &str) -> usize {
         self.counts.iter().find(|(count, _)| count.name == name).map_or(1, |(_, number)| *number)
     }
 
-    /// A letter for a value of the data alone, computed once in the field in which they are given: angles of bars, roots.
+    /// A symbol for a value that depends on the data only, such as an angle of a bar. It is computed once, in the
+    /// scalar type of the data.
     pub fn settled(&mut self, value: Sym) -> Sym {
         let letter = Sym::symbol(&format!("settled {}", self.settled.len()));
         self.settled.push((letter, value));
         letter
     }
 
-    /// Letters for a point of the circle, likewise computed once.
+    /// Symbols for a point of the unit circle that depends on the data only, each computed once.
     pub fn settled_point(&mut self, Circle { cos, sin }: Circle<Sym>) -> Circle<Sym> {
         Circle { cos: self.settled(cos), sin: self.settled(sin) }
     }
 
-    /// The laws of a machine over letters.
+    /// The laws of a machine as symbolic expressions.
     ///
     /// # Errors
-    /// [`TooLong`].
+    /// [`TooLong`] where a law exceeds the registers of a program.
     pub fn laws(&self, machine: &impl Machine<Sym>) -> Result<Laws, TooLong> {
         let angle = Sym::symbol(ANGLE).circle();
         let names: Vec<String> = (0..machine.windings()).map(|k| machine.current_name(k)).collect();

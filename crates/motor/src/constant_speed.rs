@@ -1,11 +1,11 @@
-//! A rotor that is kept at a constant speed relative to the carrier, whatever torque this takes.
+//! A rotor at a prescribed constant speed relative to the carrier; its torque is the reaction.
 
 use crate::{Entry, Machine, RotorState, letter};
 use field::{Base, Over};
 use symbolic::Sym;
 
 reader::quantities! {
-    /// phi' = W for ever: the classical gyrostat of section 8.1.
+    /// The rotor with phi' = W: the classical gyrostat of section 8.1.
     pub struct ConstantSpeed {
         /// relative speed of the rotor
         speed: "rad/s",

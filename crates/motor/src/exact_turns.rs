@@ -1,14 +1,15 @@
-//! Circle points of equal parts of a turn, recognised in the floats to which they were rounded: cos(pi/4) is sqrt(2)/2, cos(pi/2) is zero.
+//! Exact values of cosines and sines at multiples of pi/12, recognised from rounded constants: cos(pi/4) = sqrt(2)/2,
+//! cos(pi/2) = 0.
 
 use field::Rational;
 use std::collections::HashSet;
 use symbolic::{Node, Sym, substitute_all};
 
-/// Floats closer to a coordinate than this are its rounding.
+/// A constant closer than this to an exact value is its rounding.
 const ROUNDING: f64 = 5e-16;
 
-/// The expression with every constant that is such a coordinate, rounded, as its exact value: of multiples of pi/12,
-/// which square roots tell.
+/// The expression with every constant that is a rounded cosine or sine of a multiple of pi/12 replaced by its exact
+/// value in square roots.
 pub(crate) fn with_exact_turns(expression: Sym) -> Sym {
     let mut constants: Vec<Sym> = Vec::new();
     let (mut open, mut seen) = (vec![expression], HashSet::new());
@@ -25,7 +26,7 @@ pub(crate) fn with_exact_turns(expression: Sym) -> Sym {
     substitute_all(&[expression], &known)[0]
 }
 
-/// The exact value of a rounded coordinate; none of a number that is short, or no such coordinate.
+/// The exact value of a rounded constant; `None` for a short decimal, or if there is no such value.
 fn exact(constant: Rational) -> Option<Sym> {
     let value = constant.to_f64();
     let is_float = Rational::exactly(value) == constant && Rational::decimal(value) != constant;

@@ -1,8 +1,10 @@
-//! The laws of a machine in the form that a kick needs: those of the angle together, the torque at all stages together.
+//! The laws of a machine in the form needed by a kick: all laws of the angle together, and the torque at all stages
+//! together.
 //!
-//! A machine gives law by law. The laws of a [`Motor`](super::Motor) are programs, which share nothing when they are evaluated one by one;
-//! [`Programs`] are all of them, recorded together with the data as constants. Laws of the angle with one harmonic need none: they are
-//! [`Waves`]. The torque, which a kick needs at four slips five times over, is one [`Fraction`] of the slip.
+//! A [`Machine`](super::Machine) gives its laws one by one. The laws of a [`Motor`](super::Motor) are programs, whose
+//! separate evaluation shares no intermediate results; [`Programs`] records them together, with the data as constants.
+//! Laws with one harmonic of the angle need no program: they are [`Waves`]. The torque, which a kick evaluates at four
+//! slips five times, is a [`Fraction`] of the slip.
 
 use super::gauss4_scalar::STAGES;
 use super::harmonics::{Harmonics, Waves};
@@ -12,23 +14,23 @@ use field::{Analytic, Base, Circle, Over, Rational, Tangent};
 use simulation::{Program, Running};
 use symbolic::{Fraction, Sym};
 
-/// A machine at a constant angle.
+/// The laws of a machine at a constant angle.
 pub trait FixedAngleMachine<P: Base, S: Over<P>> {
     type Machine: Machine<P>;
 
     fn machine(&self) -> &Self::Machine;
 
-    /// Passes on psi_k(g) with its derivative, winding by winding; gives -U'(g).
+    /// Passes psi_k(g) with its derivative to `each`, for each winding k. Returns -U'(g).
     fn at_angle(&self, angle: Circle<S>, each: impl FnMut(usize, Tangent<S>)) -> S;
 
-    /// Hands on psi_k(g), winding by winding.
+    /// Passes psi_k(g) to `each`, for each winding k.
     fn linkages(&self, angle: Circle<S>, each: impl FnMut(usize, S));
 
-    /// m with its derivative at each of the slips.
+    /// The torque m with its derivative at each of the slips.
     fn torques(&self, slips: &[S; STAGES]) -> [Tangent<S>; STAGES];
 }
 
-/// Law by law.
+/// Evaluates the laws one by one.
 impl<P: Base, S: Over<P>, M: Machine<P>> FixedAngleMachine<P, S> for M {
     type Machine = M;
 
@@ -56,16 +58,16 @@ impl<P: Base, S: Over<P>, M: Machine<P>> FixedAngleMachine<P, S> for M {
 /// The laws of a machine for a kick, as programs.
 #[derive(Clone, Debug)]
 pub struct Programs {
-    /// psi_k, -U', psi_k' of the angle's cosine and sine; `None` where the laws do not depend on it
+    /// psi_k, -U', psi_k' as functions of the angle's cosine and sine; `None` where the laws do not depend on it.
     angle: Option<Program>,
-    /// the flux laws with one harmonic: then there is no program
+    /// The flux laws if they have one harmonic; then `angle` is not needed.
     waves: Option<Waves>,
-    /// m of the slip, where it is curved; none where that would be longer than the law itself
+    /// The torque m as a fraction of the slip if it is nonlinear; `None` where that is longer than the law itself.
     torque: Option<Fraction<Rational>>,
 }
 
 impl Programs {
-    /// Records the laws of a machine.
+    /// Records the programs of a machine.
     pub fn of(machine: &(impl Machine<f64> + Sync)) -> Self {
         let angle = || {
             Program::of(2, |_, point| {
@@ -93,7 +95,7 @@ impl Programs {
     }
 }
 
-/// A machine with its programs over a field, where they were recorded.
+/// A machine with its programs over a scalar type, if they were recorded.
 #[derive(Clone, Debug)]
 pub struct Programmed<'a, S, M> {
     machine: &'a M,
@@ -102,7 +104,7 @@ pub struct Programmed<'a, S, M> {
     torque: Option<Fraction<S>>,
 }
 
-/// Room for the numbers of no winding to three, of fifteen, and of more than a scene may have.
+/// Buffer sizes for up to three windings, for up to fifteen, and for the largest number that a scene may have.
 const FEW: usize = 8;
 const SOME: usize = 32;
 const MANY: usize = 256;
@@ -153,7 +155,7 @@ impl<S: Running + Over<f64>, M: Machine<f64>> FixedAngleMachine<f64, S> for Prog
 }
 
 impl<'a, S: Over<f64> + Analytic, M> Programmed<'a, S, M> {
-    /// A machine, and the programs of it that were recorded.
+    /// A machine with its recorded programs.
     pub fn new(machine: &'a M, programs: Option<&'a Programs>) -> Self {
         Programmed {
             machine,
@@ -164,7 +166,7 @@ impl<'a, S: Over<f64> + Analytic, M> Programmed<'a, S, M> {
     }
 }
 
-/// [`FixedAngleMachine::at_angle`] by a program, in room for N numbers.
+/// [`FixedAngleMachine::at_angle`] by a program, in buffers of N numbers.
 #[inline]
 fn followed<S: Running, const N: usize>(
     program: &Program,
@@ -174,7 +176,7 @@ fn followed<S: Running, const N: usize>(
 ) -> S {
     let mut values = [S::zero(); N];
     let values = &mut values[..2 * windings + 1];
-    // recorded for an angle, it runs
+    // the inputs are correct by construction
     program.run(S::zero(), &[angle.cos, angle.sin], values).unwrap_or(());
     let (linkages, rest) = values.split_at(windings);
     let (force, slopes) = rest.split_at(1);
@@ -184,7 +186,7 @@ fn followed<S: Running, const N: usize>(
     force[0]
 }
 
-/// [`FixedAngleMachine::linkages`] by a program: the first of its values.
+/// [`FixedAngleMachine::linkages`] by a program, whose first values are the fluxes.
 #[inline]
 fn linked<S: Running, const N: usize>(
     program: &Program,
@@ -194,7 +196,7 @@ fn linked<S: Running, const N: usize>(
 ) {
     let mut values = [S::zero(); N];
     let values = &mut values[..2 * windings + 1];
-    // recorded for an angle, it runs
+    // the inputs are correct by construction
     program.run(S::zero(), &[angle.cos, angle.sin], values).unwrap_or(());
     values[..windings].iter().enumerate().for_each(|(k, value)| each(k, *value));
 }

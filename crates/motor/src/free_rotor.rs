@@ -1,9 +1,9 @@
-//! A rotor that turns by inertia without friction.
+//! A rotor without motor and without friction.
 
 use crate::{Entry, Machine, RotorState};
 use field::{Base, Over};
 
-/// No torque about the axis: the classical gyrostat of section 8.2. Its speed is measured from zero.
+/// No torque about the axis: the classical gyrostat of section 8.2. Its frame speed is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeRotor<P> {
     at_rest: P,

@@ -1,14 +1,14 @@
-//! Gauss' collocation of one equation, solved by Newton's iteration over any field.
+//! Gauss collocation of order 8 for one scalar equation, by Newton's iteration over any scalar type.
 
 use field::{Scalar, Tangent};
 use integrators::{Collocation, Family, Real};
 
-/// Stages of the collocation: its order, 8, is not below that of any composition.
+/// The number of stages. The order 8 is not below that of any composition.
 pub const STAGES: usize = 4;
-/// Iterations of Newton's method, which squares its error in each.
+/// The number of Newton iterations.
 const ITERATIONS: usize = 4;
 
-/// Nodes, weights and matrix of a collocation.
+/// The nodes, weights and matrix of the collocation.
 #[derive(Clone, Copy, Debug)]
 pub struct Rule<S> {
     pub nodes: [S; STAGES],
@@ -17,7 +17,7 @@ pub struct Rule<S> {
 }
 
 impl<S: Real> Rule<S> {
-    /// Gauss' collocation.
+    /// The coefficients of Gauss collocation.
     pub fn gauss() -> Self {
         let table = Collocation::<S>::new(Family::Gauss, STAGES);
         Rule {
@@ -29,8 +29,8 @@ impl<S: Real> Rule<S> {
 }
 
 impl<S: Scalar> Rule<S> {
-    /// The increment of s by s' = f_i(s) over a length of time, from the rates at the slips of all nodes with their derivatives; and
-    /// the last correction of Newton's iteration, squared.
+    /// The increment of s by s' = f_i(s) over a time `length` (s), where `rates` gives f_i with its derivative at the
+    /// slips of all nodes; and the square of the last correction of Newton's iteration.
     pub fn solve(&self, length: S, start: S, rates: impl Fn(&[S; STAGES]) -> [Tangent<S>; STAGES]) -> (S, S) {
         let mut stages = [start; STAGES];
         let mut left = S::zero();
@@ -56,7 +56,8 @@ impl<S: Scalar> Rule<S> {
     }
 }
 
-/// Solves in place; without a choice of pivots, which laws over any field cannot make: the matrix is near one.
+/// Solves linear equations in place, without pivoting, which is impossible over symbolic scalars: the matrix is close
+/// to the identity.
 fn eliminate<S: Scalar>(rows: &mut [[S; STAGES]; STAGES], right: &mut [S; STAGES]) {
     for k in 0..STAGES {
         for i in (0..STAGES).filter(|i| *i != k) {

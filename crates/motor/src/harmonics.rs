@@ -1,15 +1,14 @@
-//! Laws of the angle with one harmonic, as those of most motors are: each flux with its derivative is four products.
+//! Flux laws with one harmonic of the angle, as most motors have: a flux with its derivative costs four products.
 
 use super::Machine;
 use field::{Analytic, Circle, Over, Scalar, Tangent};
 use symbolic::{Sym, Tape, substitute_all};
 
-/// The waves of a machine: the coefficients of every psi_k = a cos g + b sin g + c, then those of U, as a program
-/// without inputs.
+/// The coefficients of all fluxes psi_k = a cos g + b sin g + c, then those of U, as a program without inputs.
 #[derive(Clone, Debug)]
 pub struct Waves(Tape);
 
-/// The waves over a field.
+/// The coefficients over a scalar type.
 #[derive(Clone, Debug)]
 pub struct Harmonics<S> {
     windings: Vec<Wave<S>>,
@@ -24,7 +23,7 @@ struct Wave<S> {
 }
 
 impl Waves {
-    /// The waves of a machine; none where a flux or the energy has more than one harmonic.
+    /// The harmonic laws of a machine; `None` where a flux or the energy has more than one harmonic.
     pub fn of(machine: &impl Machine<f64>) -> Option<Self> {
         let point = Circle { cos: Sym::symbol("c"), sin: Sym::symbol("s") };
         let still = [(point.cos, Sym::ZERO), (point.sin, Sym::ZERO)];
@@ -35,7 +34,7 @@ impl Waves {
         Tape::record(&[], &all).ok().filter(|_| constant).map(Waves)
     }
 
-    /// The waves over a field.
+    /// The coefficients over a scalar type.
     pub fn over<S: Analytic>(&self) -> Harmonics<S> {
         let mut values = vec![S::zero(); self.0.outputs()];
         self.0.over().evaluate(&[], &mut values);
@@ -47,7 +46,7 @@ impl Waves {
 }
 
 impl<S: Over<f64>> Harmonics<S> {
-    /// Passes on psi_k(g) with its derivative, winding by winding; gives -U'(g).
+    /// Passes psi_k(g) with its derivative to `each`, for each winding k. Returns -U'(g).
     #[inline(always)]
     pub fn at_angle(&self, angle: Circle<S>, mut each: impl FnMut(usize, Tangent<S>)) -> S {
         let windings = self.windings.iter().enumerate();
@@ -55,7 +54,7 @@ impl<S: Over<f64>> Harmonics<S> {
         -self.field.slope(angle)
     }
 
-    /// Hands on psi_k(g), winding by winding.
+    /// Passes psi_k(g) to `each`, for each winding k.
     #[inline(always)]
     pub fn linkages(&self, angle: Circle<S>, mut each: impl FnMut(usize, S)) {
         self.windings.iter().enumerate().for_each(|(k, wave)| each(k, wave.value(angle)));

@@ -1,30 +1,30 @@
-//! Integrals of motion that a machine preserves, found from its laws.
+//! Integrals of motion that a machine conserves, determined from its laws.
 //!
-//! With E the energy of bodies, weight and circuits and p = A' (w.l + phi') the rotor's angular momentum about its axis,
-//! every machine gives
+//! Let E be the energy of bodies, weight and circuits, and p = A' (w.l + phi') the rotor's angular momentum about its
+//! axis. For every machine
 //!
 //!   d/dt (E - W p) = m(g', phi') g' - sum R_k i_k^2 + sum v_k i_k - W sum c_k i_k ,    dp/dt = M :
 //!
-//! seen from the turning field the field does no work. A rotor of prescribed speed keeps E - W p too, whatever torque
-//! is needed for it.
+//! since the field does no work in its own rotating frame. A rotor of prescribed speed conserves E - W p too, whatever
+//! its torque.
 
 use super::{Machine, RotorState, electrical_power, motional_torque, torque_and_current_rates};
 use field::{Base, Circle, Over};
 
-/// The integrals that a machine preserves, beside those that no machine changes.
+/// The integrals of motion that a machine conserves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Conserved {
-    /// E - W p, the energy in the turning field.
+    /// The Jacobi integral E - W p.
     pub jacobi: bool,
-    /// p, the rotor's own angular momentum.
+    /// The rotor's angular momentum p.
     pub spin: bool,
 }
 
-/// (slip, phi'): unrelated points; a law that is not zero everywhere does not vanish at all of them.
+/// Test points (slip, phi'), chosen without relation: a law that vanishes at all of them is zero.
 const POINTS: [(f64, f64); 4] = [(1.0, 0.7), (-31.7, 12.9), (0.013, -211.0), (140.3, 3.1)];
 
 impl Conserved {
-    /// Finds the integrals that a machine preserves.
+    /// Determines the integrals that a machine conserves.
     pub fn by(machine: &impl Machine<f64>) -> Self {
         if machine.rotor() == RotorState::Prescribed {
             return Conserved { jacobi: true, spin: false };
@@ -42,7 +42,7 @@ impl Conserved {
     }
 }
 
-/// sum v_k i_k - W sum c_k i_k, W: the power that supply and sliding windings put into E - W p.
+/// The power sum v_k i_k - W sum c_k i_k (W) of supply and sliding windings on E - W p.
 pub(super) fn feed<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>, currents: &[S]) -> S {
     electrical_power(machine, angle, currents) - S::lift(machine.frame_speed()) * motional_torque(machine, currents)
 }

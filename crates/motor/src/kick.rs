@@ -1,16 +1,17 @@
-//! The flow of a machine's currents and rotor momentum while the angle is constant, for splitting methods.
+//! The flow of the currents and the rotor momentum at a constant angle, for splitting methods.
 //!
-//! In the fluxes c_k = L_k i_k + psi_k(g) of the circuits the energy is U(g) + sum (c_k - psi_k(g))^2 / (2 L_k). With
-//! the angle at rest the currents decay, i_k = i_k(0) exp(-r_k t) with r_k = R_k/L_k, and the slip s = g' obeys
+//! With the flux linkages c_k = L_k i_k + psi_k(g) the energy of the circuits is U(g) + sum (c_k - psi_k(g))^2 / (2
+//! L_k). At a constant angle the currents decay, i_k = i_k(0) exp(-r_k t) with r_k = R_k/L_k, and the slip s = g'
+//! satisfies
 //!
 //!   s' = K (-U'(g) + sum_k psi_k'(g) i_k(t) + m(s)) + pull ,
 //!
-//! Here K is the slip that a unit of impulse gives and `pull` the rate of the slip by other causes. Where m is linear, m(s)
-//! = m(0) - b s, the solution is made of exponentials; elsewhere Gauss' collocation of order 8 solves the equation. When
-//! the angle moves, the fluxes are constant.
+//! K is the slip per unit of angular impulse, and `pull` the rate of the slip due to other causes. If m is linear, m(s)
+//! = m(0) - b s, the solution consists of exponentials; otherwise Gauss collocation of order 8 is used. When the angle
+//! moves, the c_k are constant.
 //!
-//! A supply or conductors that slide break this: c_k phi' ties the currents to the slip at a resting angle too, and the
-//! flow is none of these. Such machines are refused ([`has_known_flow`]).
+//! With a supply or with sliding conductors, c_k phi' couples the currents to the slip also at a constant angle, and
+//! the flow has no such form. Such machines are rejected ([`has_known_flow`]).
 
 use super::fixed_angle_laws::FixedAngleMachine;
 use super::gauss4_scalar::{Rule, STAGES};
@@ -19,14 +20,14 @@ use field::{Analytic, Base, Circle, Over, Scalar, Tangent};
 use integrators::Real;
 use symbolic::{Hypotheses, Sym, decide};
 
-/// The rotor in the coordinates of the pieces.
+/// The state of the rotor, in the coordinates of the pieces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point<S> {
-    /// g; without meaning where the laws do not depend on it
+    /// The angle g, rad; unused where the laws do not depend on it.
     pub angle: S,
-    /// p, the rotor's angular momentum
+    /// The rotor's angular momentum p, N m s.
     pub momentum: S,
-    /// c_k
+    /// The flux linkages c_k, Wb.
     pub fluxes: Vec<S>,
 }
 
@@ -37,27 +38,27 @@ pub enum Law {
     Curved,
 }
 
-/// The flow over one length of time, with its coefficients prepared.
+/// The flow over one time length, with precomputed coefficients.
 #[derive(Clone, Debug)]
 pub struct Kick<S> {
     pub length: S,
-    /// K
+    /// K, 1/(kg m^2).
     compliance: S,
-    /// 1 - exp(-r_k h)
+    /// 1 - exp(-r_k h).
     losses: Vec<S>,
     torque: TorqueLaw<S>,
 }
 
 #[derive(Clone, Debug)]
 enum TorqueLaw<S> {
-    /// m(0); K b; the integral of exp(-K b t) over h; the slip gained per unit of each psi_k' L_k i_k(0).
+    /// m(0); K b; the integral of exp(-K b t) over h; the change of slip per unit of each psi_k' L_k i_k(0).
     Linear { at_zero: S, rate: S, lasting: S, pushes: Vec<S> },
-    /// exp(-r_k c_i h) / L_k at each node.
+    /// exp(-r_k c_i h) / L_k at each node c_i.
     Curved { rule: Rule<S>, left: Vec<[S; STAGES]> },
 }
 
 impl Law {
-    /// Decides by the second derivative, exactly.
+    /// Decides by the second derivative of the torque, exactly.
     pub fn of(machine: &impl Machine<f64>) -> Self {
         let slip = Sym::symbol("slip");
         let torque = machine.torque_law(slip, slip + Sym::lift(machine.frame_speed()));
@@ -67,7 +68,7 @@ impl Law {
 }
 
 impl<S: Scalar> Kick<S> {
-    /// Prepares the flow of a machine over a length of time. `quotient(a, b)` is (exp(-a) - exp(-b)) / (b - a).
+    /// Prepares the flow of a machine over a time length (s). `quotient(a, b)` is (exp(-a) - exp(-b)) / (b - a).
     pub fn new<P: Base, M: Machine<P>>(
         machine: &M,
         law: Law,
@@ -100,12 +101,12 @@ impl<S: Scalar> Kick<S> {
     }
 }
 
-/// Whether the flow is known: the windings have laws of the angle, no supply and no sliding conductors.
+/// Whether the flow is available: the laws depend on the angle, and there is neither a supply nor a sliding conductor.
 pub fn has_known_flow<P: Base, M: Machine<P>>(machine: &M) -> bool {
     machine.windings() == 0 || machine.rotor() == RotorState::AngleAndSpeed && !is_fed(machine)
 }
 
-/// The laws of the angle, one by one: psi_k(g) with its derivative is passed on, winding by winding; gives -U'(g).
+/// Passes psi_k(g) with its derivative to `each`, for each winding k. Returns -U'(g).
 #[inline(always)]
 pub fn laws_at<P: Base, S: Over<P>, M: Machine<P>>(
     machine: &M,
@@ -118,14 +119,14 @@ pub fn laws_at<P: Base, S: Over<P>, M: Machine<P>>(
     force
 }
 
-/// m at a slip, with its derivative.
+/// The torque m at a slip, with its derivative.
 #[inline(always)]
 pub fn torque_at<P: Base, S: Over<P>>(machine: &impl Machine<P>, slip: S) -> Tangent<S> {
     let slip = Tangent::variable(slip);
     machine.torque_law(slip, slip + Tangent::fixed(S::lift(machine.frame_speed())))
 }
 
-/// The flow: changes the rotor's momentum and the fluxes. Returns the residual of the equation that is solved by
+/// Applies the flow to the rotor's momentum and the fluxes. Returns the residual of the equation that is solved by
 /// iteration.
 #[inline]
 pub fn kick<P: Base, S: Over<P> + Analytic, A: FixedAngleMachine<P, S>>(
@@ -136,7 +137,7 @@ pub fn kick<P: Base, S: Over<P> + Analytic, A: FixedAngleMachine<P, S>>(
     rotor: &mut Point<S>,
 ) -> S {
     let fluxes = &mut rotor.fluxes;
-    // psi_k' L_k i_k(0), and the flux after
+    // psi_k' L_k i_k(0), and the new flux
     let mut fade = |k: usize, Tangent { value, slope, .. }: Tangent<S>| {
         let (flux, loss) = (&mut fluxes[k], &by.losses[k]);
         let own = *flux - value;
@@ -170,7 +171,8 @@ pub fn kick<P: Base, S: Over<P> + Analytic, A: FixedAngleMachine<P, S>>(
     left
 }
 
-/// [`FixedAngleMachine::at_angle`] of a machine whose laws depend on the angle: the others have no energy of it, and no windings.
+/// [`FixedAngleMachine::at_angle`] for a machine whose laws depend on the angle; zero for others, which have no
+/// windings.
 #[inline(always)]
 fn force<P: Base, S: Over<P> + Analytic, A: FixedAngleMachine<P, S>>(
     machine: &A,
@@ -185,7 +187,7 @@ fn force<P: Base, S: Over<P> + Analytic, A: FixedAngleMachine<P, S>>(
 }
 
 impl<S: Analytic> Point<S> {
-    /// From the rotor's part of a law's state with its momentum, and the currents.
+    /// The point of the rotor's part of a state, its momentum, and the currents.
     pub fn enter<P: Base, M: Machine<P>>(machine: &M, rotor: &[S], momentum: S, currents: &[S]) -> Self
     where
         S: Over<P>,
@@ -199,7 +201,7 @@ impl<S: Analytic> Point<S> {
         Point { angle, momentum, fluxes: currents.iter().enumerate().map(flux).collect() }
     }
 
-    /// To the rotor's part of a law's state, and the currents.
+    /// Writes the rotor's part of a state, and the currents.
     #[inline]
     pub fn leave<P: Base, A: FixedAngleMachine<P, S>>(&self, acting: &A, slip: S, y: &mut [S])
     where
@@ -217,19 +219,19 @@ impl<S: Analytic> Point<S> {
     }
 }
 
-/// The decay rates of currents and slip in a kick, 1/s.
+/// The decay rates of the currents and of the slip in a kick, 1/s.
 #[derive(Clone, Copy, Debug)]
 pub struct DecayRates<S> {
-    /// The largest r_k.
+    /// The largest r_k, 1/s.
     current: S,
-    /// K
+    /// K, 1/(kg m^2).
     compliance: S,
-    /// -K dm/ds of a torque that is linear in the slip.
+    /// -K dm/ds for a torque that is linear in the slip, 1/s.
     slip: Option<S>,
 }
 
 impl<S: Real> DecayRates<S> {
-    /// A machine whose rotor has this slip for a unit of impulse.
+    /// The rates of a machine with the given change of slip per unit of angular impulse.
     pub fn of(machine: &impl Machine<f64>, law: Law, compliance: S) -> Self {
         let rates = (0..machine.windings()).map(|k| S::lift(machine.resistance(k)) / S::lift(machine.inductance(k)));
         let current = rates.fold(S::zero(), |fastest, rate| if rate > fastest { rate } else { fastest });
@@ -237,24 +239,24 @@ impl<S: Real> DecayRates<S> {
         DecayRates { slip: (law == Law::Linear).then(|| unknown.of_slip(machine, S::zero())), ..unknown }
     }
 
-    /// The fastest decay rate at a slip, of a current or of the slip, 1/s.
+    /// The fastest decay rate of a current or of the slip, at a slip (rad/s), in 1/s.
     pub fn fastest(&self, machine: &impl Machine<f64>, slip: S) -> f64 {
         let of_slip = self.slip.unwrap_or_else(|| self.of_slip(machine, slip));
         self.current.approx().max(of_slip.approx())
     }
 
-    /// The decay rate of a slip by the torque m alone, 1/s.
+    /// The decay rate of the slip due to the torque m, 1/s.
     fn of_slip(&self, machine: &impl Machine<f64>, slip: S) -> S {
         -self.compliance * torque_at(machine, slip).slope
     }
 }
 
-/// Whether Newton's iteration came close enough for its next step to end in rounding, for slips of any size.
+/// Whether Newton's iteration has converged such that its next correction would be rounding.
 pub fn solved<S: Real>(left: S) -> bool {
     left <= S::lift(S::EPSILON)
 }
 
-/// (exp(-a) - exp(-b)) / (b - a), also where a and b are near each other, or far apart.
+/// The quotient (exp(-a) - exp(-b)) / (b - a), accurate also for equal and for very different arguments.
 pub fn decay_quotient<S: Real>(a: S, b: S) -> S {
     let (low, gap) = if a < b { (a, b - a) } else { (b, a - b) };
     // (1 - exp(-gap)) / gap

@@ -1,4 +1,4 @@
-//! The laws of a motor as straight-line programs over any field.
+//! The laws of a motor as straight-line programs over any scalar type.
 
 use super::{Count, Datum, RotorState};
 use crate::text::{ANGLE, SLIP, SPEED};
@@ -7,11 +7,11 @@ use reader::Quantity;
 use std::fmt;
 use symbolic::{Algebraic, Sym, Tape};
 
-/// Numbers of registers: for usual laws, whose clearing costs little, and for the longest.
+/// Numbers of registers: for usual laws, to save clearing, and for the longest.
 const FEW: usize = 24;
 const MANY: usize = 256;
 
-/// The laws of a motor in terms of its data. Every field evaluates the same programs.
+/// The laws of a motor as functions of its data, as programs common to all scalar types.
 #[derive(Clone, Debug)]
 pub struct Laws {
     name: &'static str,
@@ -21,51 +21,52 @@ pub struct Laws {
     energy: Law,
     torque: Law,
     windings: Vec<Winding<Law, usize>>,
-    /// Numbers that follow from the data alone: letters that are computed once, roots and angles in the laws, W, then L and R of each
-    /// winding.
+    /// Computes the numbers that depend on the data only: settled values, roots and angles in the laws, W, then L and R
+    /// of each winding.
     alone: Tape,
-    /// The place of W among the numbers.
+    /// The index of W among the numbers.
     frame_speed: usize,
 }
 
-/// The laws of a motor as expressions in the names of its data, and in the letters of the motion.
+/// The laws of a motor as expressions in the names of its data and the symbols of the motion.
 #[derive(Clone, Debug)]
 pub struct Expressions {
-    /// The part of the rotor's state on which the laws depend.
+    /// The variables of the rotor on which the laws depend.
     pub rotor: RotorState,
-    /// W, rad/s
+    /// The frame speed W, rad/s.
     pub frame_speed: Sym,
-    /// U(g), J
+    /// The field energy U(g), J.
     pub energy: Sym,
-    /// m(g', phi'), N m
+    /// The torque m(g', phi'), N m.
     pub torque: Sym,
     pub windings: Vec<Winding<Sym, Sym>>,
-    /// Letters of the laws, each with its value in terms of the data: computed once, in the field of the data.
+    /// Symbols for values that depend on the data only, with their values: computed once, in the scalar type of the
+    /// data.
     pub settled: Vec<(Sym, Sym)>,
 }
 
 /// The laws of one winding.
 #[derive(Clone, Debug)]
 pub struct Winding<F, N> {
-    /// The name of i_k.
+    /// The name of the current i_k.
     pub current: String,
-    /// psi_k(g), Wb
+    /// The flux linkage psi_k(g), Wb.
     pub flux: F,
-    /// v_k(g), V
+    /// The supply voltage v_k(g), V.
     pub supply: Option<F>,
-    /// c_k(i), V s
+    /// The coefficient c_k(i) of the motional voltage, V s.
     pub motional: Option<F>,
-    /// L_k, H
+    /// The inductance L_k, H.
     pub inductance: N,
-    /// R_k, ohm
+    /// The resistance R_k, ohm.
     pub resistance: N,
 }
 
-/// A law has more steps than any that is written by a person.
+/// The error for a law that is too long for a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooLong;
 
-/// One law: a program whose inputs are some of the motor's numbers, then those of the motion.
+/// One law: a program whose inputs are some of the motor's numbers, then variables of the motion.
 #[derive(Clone, Debug, Default)]
 struct Law {
     program: Algebraic,
@@ -88,13 +89,13 @@ impl Law {
             true => self.program.evaluate::<S, FEW>(inputs),
             false => self.program.evaluate::<S, MANY>(inputs),
         };
-        // it has all its inputs since it was recorded
+        // the inputs are complete by construction
         value.unwrap_or_else(S::zero)
     }
 }
 
 impl Expressions {
-    /// Every expression but those of the data alone.
+    /// All expressions that may depend on the motion.
     fn of_motion(&self) -> impl Iterator<Item = Sym> {
         let of_windings = self.windings.iter().flat_map(|each| [Some(each.flux), each.supply, each.motional]).flatten();
         [self.energy, self.torque].into_iter().chain(of_windings)
@@ -112,7 +113,7 @@ impl Laws {
     /// Records laws from expressions in the names of the data.
     ///
     /// # Errors
-    /// [`TooLong`].
+    /// [`TooLong`] where a law exceeds the registers of a program.
     pub fn new(
         name: &'static str,
         data: Vec<Quantity>,
@@ -171,17 +172,17 @@ impl Laws {
         &self.data
     }
 
-    /// The numbers of bars and the like for which the laws were made.
+    /// The counts, such as the number of bars, for which the laws were recorded.
     pub fn counts(&self) -> &[(Count, usize)] {
         &self.counts
     }
 
-    /// The rotor's variables that the laws depend on.
+    /// The variables of the rotor on which the laws depend.
     pub fn rotor(&self) -> RotorState {
         self.rotor
     }
 
-    /// The data, and the numbers that follow from them alone.
+    /// The data, followed by the numbers that depend on the data only.
     pub fn numbers<P: Datum>(&self, mut given: Vec<P>) -> Vec<P> {
         let mut alone = vec![P::zero(); self.alone.outputs()];
         self.alone.over().evaluate(&given, &mut alone);
@@ -202,12 +203,12 @@ impl Laws {
         self.windings[winding].current.clone()
     }
 
-    /// L_k
+    /// The inductance L_k, H.
     pub fn inductance<P: Base>(&self, winding: usize, numbers: &[P]) -> P {
         numbers[self.windings[winding].inductance]
     }
 
-    /// R_k
+    /// The resistance R_k, ohm.
     pub fn resistance<P: Base>(&self, winding: usize, numbers: &[P]) -> P {
         numbers[self.windings[winding].resistance]
     }

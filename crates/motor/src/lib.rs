@@ -1,14 +1,16 @@
-//! Electric motors: their laws, their data, and their forms for runs.
+//! Electric motors: their laws, their data, and their forms for integration.
 //!
 //! # Overview
 //! For authors of motors. The example derives the torque of a magnet from its energy.
 //!
-//! * [`Machine`]: the trait of a motor: energies and laws of force, from which torque, currents, energies and power balance are derived;
-//! * [`Motor`]: the form in which a motor runs: its laws, recorded once as programs, and its data;
+//! * [`Machine`]: the trait of a motor: energies and force laws, from which torque, currents, energies and power
+//!   balance are derived;
+//! * [`Motor`]: a motor for runs: its laws, recorded once as programs, and its data;
 //! * [`catalogue`]: the motors of all linked crates, by name;
-//! * [`machine_table`]: the table `[machine]` of a scene; [`text`] is a motor whose laws are written in this table;
-//! * [`Bench`]: a motor alone, with its housing at rest; [`WithSuppliedWork`]: a run of the bench with the work of the supply;
-//! * [`Separable`]: laws that are sums of fields whose flows are known, for splitting methods; [`Kick`] is the motor's part of them.
+//! * [`machine_table`]: the table `[machine]` of a scene; [`text`]: motors whose laws are given in this table;
+//! * [`Bench`]: a motor alone, with a fixed housing; [`WithSuppliedWork`]: a run of the bench with the work of the
+//!   supply;
+//! * [`Separable`]: laws that are sums of fields with known flows, for splitting methods; [`Kick`] is the motor's part.
 //!
 //! # Example
 //! ```
@@ -77,7 +79,7 @@ pub use fixed_angle_laws::{FixedAngleMachine, Programmed, Programs};
 pub use free_rotor::FreeRotor;
 pub use gauss4_scalar::Rule;
 pub use integrals::Conserved;
-/// Brings a [`Catalogue`]: motors of a crate, found wherever it is linked.
+/// Registers a [`Catalogue`]: the motors of a crate, available wherever it is linked.
 pub use inventory::submit;
 pub use kick::{DecayRates, Kick, Law, Point, decay_quotient, has_known_flow, kick, solved};
 pub use laws::{Expressions, Laws, TooLong, Winding};
@@ -95,6 +97,6 @@ pub use steady_currents::steady_currents;
 
 use field::{Analytic, Base, Over};
 
-/// A field in which the data of a motor are given: numbers, or symbols that stand for them.
+/// A scalar type for the data of a motor: numbers, or symbols.
 pub trait Datum: Base + Analytic + Over<f64> {}
 impl<P: Base + Analytic + Over<f64>> Datum for P {}

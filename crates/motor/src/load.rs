@@ -1,9 +1,9 @@
-//! A machine whose rotor carries a constant load torque.
+//! A machine with a constant load torque on its rotor.
 
 use super::{Machine, RotorState};
 use field::{Base, Circle, Over};
 
-/// A machine with a constant load torque against the rotor's turning, N m.
+/// A machine with a constant load torque (N m) against the rotation.
 #[derive(Clone, Copy, Debug)]
 pub struct Loaded<M, P> {
     pub machine: M,

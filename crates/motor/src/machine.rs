@@ -1,43 +1,44 @@
-//! The trait of a motor: energies and laws of force, from which everything else is derived.
+//! The trait of a motor: energies and force laws, from which everything else is derived.
 
 use field::{Analytic, Base, Circle, Divisor, Over, Scalar};
 
-/// The part of the rotor's motion that is state.
+/// The variables of the rotor that are states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RotorState {
-    /// The speed is prescribed and the torque is the reaction that keeps it.
+    /// None: the speed is prescribed, and the torque is the reaction.
     Prescribed,
-    /// The laws depend on the speed only.
+    /// The speed: the laws do not depend on the angle.
     Speed,
-    /// The laws depend on the angle to the stator's field too.
+    /// The angle relative to the stator's field, and the speed.
     AngleAndSpeed,
 }
 
-/// An electric motor between the carrier (stator) and the rotor, friction included.
+/// An electric motor between the carrier (stator) and the rotor, including friction.
 ///
-/// The rotor's angle g is measured from the stator's field, which turns with the speed W ([`frame_speed`]):
-/// g = phi - W t. The windings carry the currents i_k. With the fluxes that the stator's field sends through them,
-/// psi_k(g), the coenergy of the circuits is
+/// The rotor's angle g is measured from the stator's field, which rotates with the speed W ([`frame_speed`]): g = phi -
+/// W t. The windings carry the currents i_k. With the flux linkages psi_k(g) due to the stator's field the co-energy of
+/// the circuits is
 ///
-///   K = sum_k (1/2 L_k i_k^2 + i_k psi_k(g)) - U(g) .
+/// K = sum_k (1/2 L_k i_k^2 + i_k psi_k(g)) - U(g) .
 ///
-/// On windings that move with the rotor charges are coordinates, and Lagrange's equations (Maxwell) hold. A commutator
-/// keeps a current in its place while the conductors turn through it, and Park's axes turn while the conductors rest: such
-/// currents are quasi-velocities, no charges belong to them, and the equations are Hamel's (Kron). Their further terms are
-/// the voltages c_k(i) phi', with c_k affine in the currents, and the torque that balances their power:
+/// For windings that move with the rotor, charges are generalised coordinates and Lagrange's equations (Maxwell) hold.
+/// A commutator keeps a current at a fixed position while the conductors move through it, and Park's axes rotate while
+/// the conductors are at rest: such currents are quasi-velocities without charges, and Hamel's equations hold (Kron).
+/// The additional terms are the voltages c_k(i) phi', with c_k affine in the currents, and the torque that balances
+/// their power:
 ///
 ///   d/dt (dK/di_k) = v_k(g) - R_k i_k - c_k(i) phi' ,    M = dK/dg + sum_k i_k c_k(i) + m(g', phi') .
 ///
-/// The rotor therefore takes phi' sum i_k c_k from the circuits, and the field gives W dK/dg:
+/// The power balance of the rotor follows; W dK/dg is the power supplied by the field:
 ///
 ///   M phi' + d/dt (U + sum_k 1/2 L_k i_k^2) = W dK/dg + phi' m + sum_k v_k i_k - sum_k R_k i_k^2 .
 ///
 /// [`frame_speed`]: Machine::frame_speed
 pub trait Machine<P: Base> {
-    /// The rotor's variables that the laws depend on.
+    /// The variables of the rotor on which the laws depend.
     fn rotor(&self) -> RotorState;
 
-    /// W, rad/s.
+    /// The frame speed W, rad/s.
     fn frame_speed(&self) -> P;
 
     /// The number of windings on the rotor.
@@ -46,59 +47,58 @@ pub trait Machine<P: Base> {
         0
     }
 
-    /// The name of the winding's current among the states: x of the excitation, i1, i2, ... of bars.
+    /// The name of the winding's current among the states; x for the excitation and i1, i2, ... for bars by default.
     fn current_name(&self, winding: usize) -> String {
         if winding == 0 { "x".into() } else { format!("i{winding}") }
     }
 
-    /// L_k, H.
+    /// The inductance L_k, H.
     #[inline(always)]
     fn inductance(&self, _winding: usize) -> P {
         P::one()
     }
 
-    /// R_k, ohm.
+    /// The resistance R_k, ohm.
     #[inline(always)]
     fn resistance(&self, _winding: usize) -> P {
         P::zero()
     }
 
-    /// psi_k(g), Wb.
+    /// The flux linkage psi_k(g), Wb.
     #[inline(always)]
     fn linkage<S: Over<P>>(&self, _winding: usize, _angle: Circle<S>) -> S {
         S::zero()
     }
 
-    /// v_k(g), V: the voltage of a supply at a winding; `None` where the winding is short-circuited.
+    /// The voltage v_k(g) of a supply, V; `None` where the winding is short-circuited.
     #[inline(always)]
     fn supply<S: Over<P>>(&self, _winding: usize, _angle: Circle<S>) -> Option<S> {
         None
     }
 
-    /// c_k(i), V s or N m/A: the voltage against the current per speed phi' of the rotor through which brushes or axes see the
-    /// conductors slide; affine in the currents, none where they see no sliding.
+    /// The coefficient c_k(i) of the motional voltage, V s or N m/A: the voltage against the current per speed phi' due
+    /// to conductors that slide past brushes or axes. Affine in the currents; `None` without sliding conductors.
     #[inline(always)]
     fn motional<S: Over<P>>(&self, _winding: usize, _currents: &[S]) -> Option<S> {
         None
     }
 
-    /// U(g), J: the energy of a permanently magnetised rotor in the stator's field.
+    /// The energy U(g) of a permanently magnetised rotor in the stator's field, J.
     #[inline(always)]
     fn field_energy<S: Over<P>>(&self, _angle: Circle<S>) -> S {
         S::zero()
     }
 
-    /// m(g', phi'), N m: the torque that does not come from an energy of the angle, such as friction and the torque of
-    /// slip.
+    /// The torque m(g', phi') without potential, N m: friction, and torques that depend on the slip.
     fn torque_law<S: Over<P>>(&self, slip: S, speed: S) -> S;
 }
 
 /// The constants of a winding.
 #[derive(Clone, Copy, Debug)]
 pub struct Circuit<P> {
-    /// R, ohm
+    /// The resistance R, ohm.
     resistance: P,
-    /// L, H
+    /// The inductance L, H.
     inductance: Divisor<P>,
 }
 
@@ -110,21 +110,22 @@ impl<P: Base> Circuit<P> {
         Circuit { resistance: machine.resistance(winding), inductance }
     }
 
-    /// u = R i + psi'(g) g', V.
+    /// The opposing voltage u = R i + psi'(g) g', V.
     #[inline(always)]
     fn opposing<S: Over<P>>(self, current: S, coupling: S, slip: S) -> S {
         let resisted = S::lift(self.resistance) * current;
         resisted.and_product(coupling, slip)
     }
 
-    /// di/dt = -u/L for all voltages against the current together.
+    /// The rate di/dt = -u/L for the sum u of all opposing voltages, A/s.
     #[inline(always)]
     fn rate<S: Over<P>>(self, opposing: S) -> S {
         -opposing.divided_by(self.inductance)
     }
 }
 
-/// The torque M and the rates of the currents by Lagrange-Maxwell; the rates are written to `current_rates`.
+/// Returns the torque M (N m), and writes the rates of the currents (A/s) to `current_rates`, by the Lagrange-Maxwell
+/// equations.
 #[inline(always)]
 pub fn torque_and_current_rates<P: Base, S: Over<P>>(
     machine: &impl Machine<P>,
@@ -137,7 +138,7 @@ pub fn torque_and_current_rates<P: Base, S: Over<P>>(
     torque_and_circuit_rates(machine, circuits, angle, slip, currents, current_rates)
 }
 
-/// [`torque_and_current_rates`] with the circuits of the windings, in order.
+/// As [`torque_and_current_rates`], with precomputed circuits of the windings in order.
 #[inline(always)]
 pub fn torque_and_circuit_rates<P: Base, S: Over<P>>(
     machine: &impl Machine<P>,
@@ -166,18 +167,18 @@ pub fn torque_and_circuit_rates<P: Base, S: Over<P>>(
     torque
 }
 
-/// U(g) + sum 1/2 L_k i_k^2, J: the energy stored in the circuits of the rotor.
+/// The energy U(g) + sum 1/2 L_k i_k^2 of the rotor's circuits, J.
 pub fn stored_energy<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>, currents: &[S]) -> S {
     let windings = currents.iter().enumerate();
     windings.fold(machine.field_energy(angle), |sum, (k, &i)| sum + (S::lift(machine.inductance(k)) * i * i).half())
 }
 
-/// sum R_k i_k^2, W: the heat of the windings.
+/// The Joule heat sum R_k i_k^2, W.
 pub fn joule_heat<P: Base, S: Over<P>>(machine: &impl Machine<P>, currents: &[S]) -> S {
     currents.iter().enumerate().fold(S::zero(), |sum, (k, &i)| sum + S::lift(machine.resistance(k)) * i * i)
 }
 
-/// sum v_k i_k, W: the power of the supplies into the windings.
+/// The power sum v_k i_k of the supplies, W.
 pub fn electrical_power<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>, currents: &[S]) -> S {
     currents.iter().enumerate().fold(S::zero(), |sum, (k, &i)| match machine.supply(k, angle) {
         Some(voltage) => sum + voltage * i,
@@ -185,7 +186,7 @@ pub fn electrical_power<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: C
     })
 }
 
-/// sum c_k i_k, N m: the torque of the windings in which conductors slide.
+/// The torque sum c_k i_k of sliding conductors, N m.
 pub fn motional_torque<P: Base, S: Over<P>>(machine: &impl Machine<P>, currents: &[S]) -> S {
     currents.iter().enumerate().fold(S::zero(), |sum, (k, &i)| match machine.motional(k, currents) {
         Some(motional) => sum + motional * i,
@@ -193,13 +194,14 @@ pub fn motional_torque<P: Base, S: Over<P>>(machine: &impl Machine<P>, currents:
     })
 }
 
-/// Whether a winding has a supply or slides: then currents need not rest at zero, and E - W p is fed.
+/// Whether any winding has a supply or sliding conductors: then currents need not vanish at rest, and E - W p is not
+/// dissipated only.
 pub fn is_fed<P: Base>(machine: &impl Machine<P>) -> bool {
     let none = vec![P::zero(); machine.windings()];
     (0..none.len()).any(|k| machine.supply(k, Circle::<P>::zero()).is_some() || machine.motional(k, &none).is_some())
 }
 
-/// The names of the states of a machine: of its rotor, then its currents.
+/// The names of the states of a machine: those of its rotor, then its currents.
 pub fn state_names<P: Base>(machine: &impl Machine<P>) -> Vec<String> {
     let rotor: &[&str] = match machine.rotor() {
         RotorState::Prescribed => &[],
@@ -220,7 +222,8 @@ impl RotorState {
         }
     }
 
-    /// (g as a point of the circle, g') from the rotor's part of the state; a part that is no state is zero.
+    /// The angle g as a point of the unit circle, and g', from the rotor's part of the state; zero for what is no
+    /// state.
     #[inline(always)]
     pub fn angle_and_slip<S: Analytic>(self, state: &[S]) -> (Circle<S>, S) {
         match (self, state) {
@@ -230,7 +233,7 @@ impl RotorState {
         }
     }
 
-    /// The rates of the rotor's part of the state. (Angle and speed for speed and acceleration: the state itself.)
+    /// Writes the rates of the rotor's part of the state from the slip and its rate.
     #[inline(always)]
     pub fn write<S: Scalar>(self, slip: S, acceleration: S, rates: &mut [S]) {
         match (self, rates) {

@@ -1,4 +1,4 @@
-//! The machine of a scene, and other machines with its data.
+//! The table `[machine]` of a scene, and other motors with its data.
 
 use crate::{Count, Machine, Motor, TooLong, catalogue, text, text_motor};
 use reader::{Allowed, Bound, Issue, Quantity, Table, in_unit};
@@ -6,29 +6,29 @@ use std::borrow::Cow;
 use std::fmt;
 use units::nearest;
 
-/// The largest count of bars: more than any damper has.
+/// The largest count of bars.
 const MOST: usize = 1000;
 
-/// Why a machine cannot be made of the data of a scene.
+/// The reason why a motor cannot be made from the data of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoModel {
     /// No machine has this name.
     Unknown { name: String },
-    /// The scene holds no laws of a motor as text.
+    /// The scene has no motor laws as text.
     NoLaws,
-    /// The laws are too long to run.
+    /// The laws are too long for a program.
     Long(TooLong),
-    /// A datum that the scene does not give.
+    /// The scene does not give a datum.
     Missing { model: String, datum: Cow<'static, str>, meaning: Cow<'static, str>, unit: Cow<'static, str> },
-    /// A value is beyond the bound of its datum.
+    /// A value is outside the bound of its datum.
     Beyond { datum: Box<Quantity>, value: f64 },
-    /// A resistance or an inductance that follows from the data of a motor as text is beyond its bound.
+    /// A resistance or an inductance, computed from the data of a motor as text, is outside its bound.
     Winding { current: String, what: &'static str, unit: &'static str, bound: Bound, value: f64 },
-    /// The scene starts with currents, and the other machine has other windings.
+    /// The scene has initial currents, and the other motor has a different number of windings.
     Currents { model: String, given: usize, windings: usize },
 }
 
-/// Reads the table `[machine]`.
+/// Reads the table `[machine]`. Faults are added to `issues`.
 pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Motor> {
     let mut table = top.table("machine", "the machine: `model` and its parameters");
     let model = table.text("model", "name of the machine");
@@ -47,7 +47,7 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Motor> {
             let issue = Issue::at(model.span, format!("unknown machine `{}`", model.value), "not known");
             table.report(issue.accepted(known_machines(&model.value)));
         }
-        // without a known model its keys cannot be judged
+        // the keys of an unknown model cannot be checked
         table.known_all();
         issues.extend(table.finish());
         return None;
@@ -72,10 +72,10 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Motor> {
 }
 
 impl Motor {
-    /// Another motor with the data of this one; or this one itself, by its name.
+    /// The motor `model` with the data of this motor; the motor itself if that is its name.
     ///
     /// # Errors
-    /// Why it cannot be made: a datum that is missing or beyond its bound.
+    /// [`NoModel`] where a datum is missing or outside its bound.
     pub fn model(&self, model: &str) -> Result<Motor, NoModel> {
         if model == self.name() {
             return self.checked(self.values().to_vec());
@@ -99,20 +99,20 @@ impl Motor {
         bounded(Motor::new(laws, data, self.allowed))
     }
 
-    /// The same motor with other data, in their order.
+    /// The motor with other data, in order.
     ///
     /// # Errors
-    /// [`NoModel::Beyond`], [`NoModel::Winding`].
+    /// [`NoModel::Beyond`] or [`NoModel::Winding`] for data outside their bounds.
     pub fn checked(&self, data: Vec<f64>) -> Result<Motor, NoModel> {
         let motor = self.with_data(data);
         motor.data().try_for_each(|(quantity, value)| within(quantity, value, self.allowed).map(|_| ()))?;
         bounded(motor)
     }
 
-    /// The same motor with another number of bars or the like.
+    /// The motor with another count, such as that of its bars.
     ///
     /// # Errors
-    /// [`NoModel::Unknown`] where nothing is counted, or where the motor is in no catalogue.
+    /// [`NoModel::Unknown`] where the motor has no such count, or is not in the catalogue.
     pub fn with_count(&self, name: &str, number: usize) -> Result<Motor, NoModel> {
         let counts = self.laws().counts().iter();
         let counts: Vec<usize> = counts.map(|(count, own)| if count.name == name { number } else { *own }).collect();
@@ -122,12 +122,12 @@ impl Motor {
         Ok(Motor::new(laws, self.values().to_vec(), self.allowed))
     }
 
-    /// The motors of the catalogue that can be made of these data.
+    /// The names of the motors of the catalogue that can be made from the data of this motor.
     pub fn models(&self) -> Vec<&'static str> {
         catalogue::entries().into_iter().map(|entry| entry.name).filter(|name| self.model(name).is_ok()).collect()
     }
 
-    /// A datum of another motor in SI units.
+    /// The value of a datum of another motor, in SI units.
     fn number(&self, model: &str, quantity: &Quantity) -> Result<f64, NoModel> {
         let kept = if quantity.name == "speed" { self.synchronous_speed() } else { None };
         let value = self.datum(&quantity.name).or(kept).ok_or_else(|| {
@@ -146,7 +146,7 @@ fn within(quantity: &Quantity, value: f64, allowed: Allowed) -> Result<f64, NoMo
     }
 }
 
-/// The motor, if its circuits can exist, or if the file allows them.
+/// The motor, if its inductances and resistances are within bounds or the file allows others.
 fn bounded(motor: Motor) -> Result<Motor, NoModel> {
     for winding in 0..motor.windings() {
         let inductance = ("inductance", "H", Bound::Positive, motor.inductance(winding));
@@ -161,7 +161,7 @@ fn bounded(motor: Motor) -> Result<Motor, NoModel> {
     Ok(motor)
 }
 
-/// The known machines, the one that was probably meant first.
+/// The names of all machines for a message, beginning with the most similar one.
 fn known_machines(name: &str) -> String {
     let names = || catalogue::entries().into_iter().map(|entry| entry.name).chain([text::NAME]);
     let list = names().collect::<Vec<_>>().join(", ");

@@ -1,4 +1,4 @@
-//! A motor in the form in which it runs: its laws as programs over any field, and its data.
+//! A motor for runs: its laws as programs over any scalar type, and its data.
 
 use super::{Datum, Laws, Machine, RotorState};
 use field::{Base, Circle, Over, Rational};
@@ -6,13 +6,13 @@ use reader::{Allowed, Quantity};
 use std::sync::Arc;
 use symbolic::Sym;
 
-/// A motor with its data, of the catalogue or with laws from a text.
+/// A motor of the catalogue, or with laws from a text, with its data.
 #[derive(Clone, Debug)]
 pub struct Motor<P = f64> {
     laws: Arc<Laws>,
-    /// The data in their order, then the numbers that follow from them alone.
+    /// The data in order, then the numbers that depend on them only.
     numbers: Vec<P>,
-    /// The data beyond their bounds that were asked for.
+    /// The kinds of data outside bounds that the file explicitly allows.
     pub allowed: Allowed,
 }
 
@@ -27,7 +27,7 @@ impl<P: Datum> Motor<P> {
         Motor::new(Arc::clone(&self.laws), data, self.allowed)
     }
 
-    /// The same laws with data in another field.
+    /// The motor with data in another scalar type.
     pub fn over<Q: Datum>(&self, mut number: impl FnMut(&Quantity, P) -> Q) -> Motor<Q> {
         let data = self.data().map(|(quantity, value)| number(quantity, value)).collect();
         Motor::new(Arc::clone(&self.laws), data, self.allowed)
@@ -40,34 +40,34 @@ impl<P: Copy> Motor<P> {
         self.laws.name()
     }
 
-    /// The programs.
+    /// The programs of its laws.
     pub fn laws(&self) -> &Arc<Laws> {
         &self.laws
     }
 
-    /// The data, each by its quantity.
+    /// The data with their quantities.
     pub fn data(&self) -> impl Iterator<Item = (&Quantity, P)> {
         self.laws.data().iter().zip(self.values().iter().copied())
     }
 
-    /// The data in their order.
+    /// The values of the data, in order.
     pub fn values(&self) -> &[P] {
         &self.numbers[..self.laws.data().len()]
     }
 
-    /// A datum by its name.
+    /// The value of a datum by name.
     pub fn datum(&self, name: &str) -> Option<P> {
         self.data().find(|(quantity, _)| quantity.name == name).map(|(_, value)| value)
     }
 
-    /// A number of bars or the like by its name.
+    /// The value of a count by name, such as the number of bars.
     pub fn count(&self, name: &str) -> Option<usize> {
         self.laws.counts().iter().find(|(count, _)| count.name == name).map(|(_, number)| *number)
     }
 }
 
 impl Motor {
-    /// The motor with another value of a datum, without its bound; none where it has no datum of this name.
+    /// The motor with another value of a datum, without a check of its bound; `None` where there is no such datum.
     pub fn with(&self, name: &str, value: f64) -> Option<Self> {
         let place = self.laws.data().iter().position(|quantity| quantity.name == name)?;
         let mut data = self.values().to_vec();
@@ -75,22 +75,23 @@ impl Motor {
         Some(self.with_data(data))
     }
 
-    /// The motor with its data as exact constants: the decimals that were written.
+    /// The motor with its data as exact constants, from their shortest decimals.
     pub fn decimals(&self) -> Motor<Sym> {
         self.over(|_, value| Sym::constant(Rational::decimal(value)))
     }
 
-    /// The motor with its data as letters, by their names.
+    /// The motor with its data as symbols.
     pub fn letters(&self) -> Motor<Sym> {
         self.over(|quantity, _| Sym::symbol(&quantity.name))
     }
 
-    /// W of a motor whose rotor follows the stator's field: the speed that a machine of constant speed keeps.
+    /// The synchronous speed W of a motor whose laws depend on the angle to the stator's field, rad/s; `None` for other
+    /// motors.
     pub fn synchronous_speed(&self) -> Option<f64> {
         (self.rotor() == RotorState::AngleAndSpeed).then(|| self.frame_speed())
     }
 
-    /// The constant speed of its rotor, for any torque; `None` for other motors.
+    /// The prescribed speed of a rotor, rad/s; `None` for other motors.
     pub fn prescribed_speed(&self) -> Option<f64> {
         (self.rotor() == RotorState::Prescribed).then(|| self.frame_speed())
     }

@@ -1,24 +1,25 @@
-//! A motor's run with the work that is done on it: a change of E - W p beyond this work is an error of the run.
+//! A motor's run with the supplied work as an additional state: a change of E - W p beyond this work is a numerical
+//! error.
 
 use super::integrals::feed;
 use super::{Bench, Machine, RotorState, joule_heat};
 use field::{Analytic, Base, Over};
 use integrators::Ode;
 
-/// A law with the energy E - W p that the turning field sees, and the power that feeds it.
+/// A law with its Jacobi integral E - W p and the power on it.
 pub trait Powered {
     /// The number of states.
     fn dimension(&self) -> usize;
     /// y' = f(y); must not allocate.
     fn rates<S: Over<f64> + Analytic>(&self, y: &[S], dy: &mut [S]);
-    /// E - W p, J.
+    /// The Jacobi integral E - W p, J.
     fn jacobi<S: Over<f64> + Analytic>(&self, y: &[S]) -> S;
-    /// d/dt (E - W p) along every motion, W; must not allocate.
+    /// The power d/dt (E - W p) along a motion, W; must not allocate.
     fn power<S: Over<f64> + Analytic>(&self, y: &[S]) -> S;
 }
 
-/// m g' - sum R_k i_k^2 + sum v_k i_k - W sum c_k i_k, W: the power of friction, heat, supply and sliding windings on E -
-/// W p, from the machine's part of a state.
+/// The power m g' - sum R_k i_k^2 + sum v_k i_k - W sum c_k i_k of friction, heat, supply and sliding windings on E - W
+/// p, in W, from the machine's part of a state.
 pub fn supplied_power<P: Base, S: Over<P> + Analytic>(machine: &impl Machine<P>, state: &[S]) -> S {
     let known = machine.rotor();
     let (rotor, currents) = state.split_at(known.dimension());
@@ -31,12 +32,12 @@ pub fn supplied_power<P: Base, S: Over<P> + Analytic>(machine: &impl Machine<P>,
     friction - joule_heat(machine, currents) + feed(machine, angle, currents)
 }
 
-/// A law with the work that is done on it as its last component.
+/// A law with the supplied work as an additional last state, J.
 #[derive(Clone, Debug)]
 pub struct WithSuppliedWork<L>(pub L);
 
 impl<L: Powered> WithSuppliedWork<L> {
-    /// E - W p less the work, J: constant along an exact motion.
+    /// E - W p minus the supplied work, J: constant along an exact motion.
     pub fn balance(&self, y: &[f64]) -> f64 {
         y.split_last().map_or(f64::NAN, |(work, y)| self.0.jacobi(y) - work)
     }

@@ -1,4 +1,4 @@
-//! The equations of a motor for reading: torque and currents by Lagrange and Maxwell.
+//! The equations of a motor for display: torque and currents by Lagrange and Maxwell.
 
 use crate::exact_turns::with_exact_turns;
 use crate::{Machine, Motor, torque_and_current_rates};
@@ -6,20 +6,20 @@ use claims::derivation::{Equation, NotDerived};
 use field::Analytic;
 use symbolic::{Hypotheses, Sym, normal};
 
-/// The motor of a scene with its data as letters: M and L di/dt.
+/// The equations of M and L di/dt for a motor, with its data as symbols.
 ///
 /// # Errors
-/// [`NotDerived::TooLarge`].
+/// [`NotDerived::TooLarge`] where an expression is too large.
 pub fn equations_of(motor: &Motor) -> Result<Vec<Equation>, NotDerived> {
     let motor = motor.letters();
     let currents: Vec<Sym> = (0..motor.windings()).map(|k| Sym::symbol(&motor.current_name(k))).collect();
     equations(&motor, &currents)
 }
 
-/// M and L di/dt of a motor over letters, the angle γ from the field.
+/// The equations of M and L di/dt for a symbolic machine, with the angle γ from the field.
 ///
 /// # Errors
-/// [`NotDerived::TooLarge`].
+/// [`NotDerived::TooLarge`] where an expression is too large.
 pub fn equations(machine: &impl Machine<Sym>, currents: &[Sym]) -> Result<Vec<Equation>, NotDerived> {
     let [angle, slip] = [("γ", r"\gamma"), ("γ̇", r"\dot\gamma")].map(|(name, latex)| Sym::named(name, latex));
     let mut rates = vec![Sym::ZERO; currents.len()];

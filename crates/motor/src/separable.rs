@@ -1,4 +1,4 @@
-//! Laws that are sums of fields whose flows are known, for the splitting methods.
+//! Laws that are sums of fields with known flows, for splitting methods.
 
 use super::Programs;
 use field::DoubleDouble;
@@ -6,28 +6,28 @@ use integrators::{Composed, Pieces, Real, Splitting, compose};
 use simulation::{CompiledLaw, Running, Splittable, SymbolicLaw};
 use std::sync::{Arc, OnceLock};
 
-/// A law that is a sum of fields whose flows are known.
+/// A law that is a sum of fields with known flows.
 pub trait Separable {
-    /// The programs by which the pieces run.
+    /// The programs with which the flows are computed.
     fn programs(&self) -> Programs;
 
-    /// The pieces over a field, by these programs or law by law; `None` where the law is no such sum.
+    /// The pieces over a scalar type, by these programs or by separate laws; `None` where the law is no such sum.
     fn pieces_by<'a, S: Real + Running>(&'a self, programs: Option<&'a Programs>) -> Option<impl Pieces<S> + 'a>;
 
-    /// The pieces law by law.
+    /// The pieces, by separate laws.
     fn pieces<S: Real + Running>(&self) -> Option<impl Pieces<S>> {
         self.pieces_by(None)
     }
 }
 
-/// The pieces of a law by their programs.
+/// The pieces of a law, by its programs.
 struct PiecesByProgram<L> {
     law: Arc<L>,
     /// Recorded when first needed.
     programs: OnceLock<Programs>,
 }
 
-/// A law as it runs, with its pieces.
+/// A law compiled for runs, with its pieces.
 pub fn compiled<L: Separable + SymbolicLaw + 'static>(law: &Arc<L>) -> CompiledLaw {
     let pieces = PiecesByProgram { law: Arc::clone(law), programs: OnceLock::new() };
     CompiledLaw::of(Arc::clone(law) as Arc<dyn SymbolicLaw>).with_pieces(Arc::new(pieces))

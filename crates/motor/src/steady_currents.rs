@@ -1,12 +1,12 @@
 //! The steady currents at a constant speed: R_k i_k + psi_k'(g) g' + c_k(i) phi' = v_k(g).
 //!
-//! The rates of currents are affine in the currents, and the law itself gives this system of linear equations.
+//! The rates of the currents are affine in the currents: the law itself gives these linear equations.
 
 use super::{Machine, torque_and_current_rates};
 use field::{Base, Circle, Over, Tangent};
 
-/// The steady currents, A, of the windings at constant angle and slip; `None` where none or many exist, as without any
-/// resistance.
+/// The steady currents (A) at constant angle and slip (rad/s). `None` where there is none or more than one solution, as
+/// without resistance.
 pub fn steady_currents<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>, slip: S) -> Option<Vec<S>> {
     let count = machine.windings();
     let (angle, slip) = (angle.map(Tangent::fixed), Tangent::fixed(slip));
@@ -27,7 +27,7 @@ pub fn steady_currents<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Ci
     for k in 0..count {
         let pivot = (k..count).find(|&row| !rows[row][k].is_zero());
         let Some(pivot) = pivot else {
-            // a winding that nothing drives and nothing brakes keeps none
+            // the current of a winding without voltage and resistance stays zero
             if right[k].is_zero() && rows[k].iter().all(S::is_zero) {
                 continue;
             }

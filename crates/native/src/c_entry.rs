@@ -1,4 +1,4 @@
-//! The instructions of a function that C calls without a context: it passes its arguments on, behind the context that it contains.
+//! Machine code of an entry that C calls without a context: it adds a fixed context and passes its arguments on.
 
 use cranelift_codegen::Context;
 use cranelift_codegen::control::ControlPlane;
@@ -6,7 +6,8 @@ use cranelift_codegen::ir::{self, AbiParam, Function, InstBuilder, Signature, Us
 use cranelift_codegen::isa::OwnedTargetIsa;
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 
-/// A function `(time, state, values)` that calls another at an address with `(context, time, state, values)`.
+/// The code of a function `(time, state, values)` that calls the function at `target` with `(context, time, state,
+/// values)`; `None` where the code generator fails.
 pub fn instructions(context: usize, target: usize, isa: &OwnedTargetIsa) -> Option<Vec<u8>> {
     let (pointer, convention) = (isa.pointer_type(), isa.default_call_conv());
     let signature = |takes: &[ir::Type]| {

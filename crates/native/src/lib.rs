@@ -1,11 +1,13 @@
 //! A just-in-time compiler from straight-line programs to machine code of this processor.
 //!
-//! For laws that are known only at run time, such as the text of a scene. Without this crate they are interpreted, operation by
-//! operation. Here each operation of the tape is one instruction, in the order of the tape; none is regrouped, and none is fused unless
-//! it is fused on the tape. The values agree with [`symbolic::Tape::evaluate`] in `f64` bit for bit.
+//! For laws that are known only at run time, such as the text of a scene; without this crate they are interpreted,
+//! operation by operation. Each operation of the tape becomes one instruction, in the order of the tape. Operations are
+//! neither regrouped nor fused, except as on the tape. The values are bitwise equal to those of
+//! [`symbolic::Tape::evaluate`] in `f64`.
 //!
-//! No other crate has unsafe code. Four conditions make it sound: the code is complete before it becomes executable, it lives as long as
-//! [`Code`], its stack frame is bounded and touched page by page, and [`Code::run`] checks every length on which the code relies.
+//! This is the only crate with unsafe code. Four conditions make it sound: the code is complete before it becomes
+//! executable; it lives as long as [`Code`]; its stack frame is bounded and probed page by page; and [`Code::run`]
+//! checks every length on which the code relies.
 //!
 //! # Example
 //! ```
@@ -37,15 +39,17 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::OnceLock;
 use symbolic::Tape;
 
-/// A piece of a program: all inputs but the last, the last, room for the outputs, the constants, the numbers for later pieces.
+/// The entry of a piece of a program: the state, the time, the outputs, the constants, and the numbers passed between
+/// pieces.
 type Entry = unsafe extern "C" fn(*const f64, f64, *mut f64, *const f64, *mut f64);
 
 thread_local! {
-    /// The buffer of numbers that the parts of a long program pass on; each thread has one, as large as its largest program needs.
+    /// The buffer of numbers passed between the pieces of a long program, one for each thread, as large as its largest
+    /// program needs.
     static ROOM: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
 }
 
-/// A tape over `f64` as machine code. It may be run by many threads at a time.
+/// A tape over `f64` as machine code. Several threads may run it at once.
 pub struct Code {
     entries: Box<[Entry]>,
     inputs: usize,
@@ -53,16 +57,16 @@ pub struct Code {
     constants: Box<[f64]>,
     /// The number of values passed between pieces.
     room: usize,
-    /// The entries of the code, valid as long as this lives.
+    /// The entry points of the pieces, valid as long as `pages`.
     pages: Mmap,
 }
 
 impl Code {
-    /// The code of a tape whose last input is the time. A long one becomes several functions, each with numbers for later ones.
+    /// The code of a tape whose last input is the time. A long tape is split into several functions.
     ///
-    /// `None` where the tape has no input, where this processor or system is not supported, where the tape has fused operations
-    /// and the processor none, where the tape is longer than [`MOST_STEPS`], or where the system gives no executable pages: then
-    /// the tape itself is evaluated.
+    /// `None` where the tape has no input, the processor or system is not supported, the tape has fused operations and
+    /// the processor has none, the tape is longer than [`MOST_STEPS`], or no executable pages are available: the tape
+    /// must then be interpreted.
     pub fn of(tape: &Tape) -> Option<Self> {
         let (isa, inputs) = (processor()?, tape.inputs().checked_sub(1)?);
         if tape.steps().len() > MOST_STEPS {
@@ -94,12 +98,13 @@ impl Code {
         Some(Code { entries, inputs, outputs: tape.outputs(), constants, room: pieces.room, pages })
     }
 
-    /// Bytes of its instructions and its constants.
+    /// The size of the instructions and constants in bytes.
     pub fn size(&self) -> usize {
         self.pages.len() + size_of_val(&*self.constants)
     }
 
-    /// The values at a state and a time; `None`, and nothing written, where their numbers are not those of the tape.
+    /// Computes the values at a state and a time. `None`, without writing, where the lengths differ from those of the
+    /// tape.
     #[inline]
     pub fn run(&self, state: &[f64], time: f64, values: &mut [f64]) -> Option<()> {
         if state.len() != self.inputs || values.len() < self.outputs {
@@ -145,29 +150,30 @@ impl fmt::Debug for Code {
     }
 }
 
-/// A function of numbers: of the time, a state, and room for the values.
+/// A function of the time and a state that writes values.
 type Law = dyn Fn(f64, &[f64], &mut [f64]) + Send + Sync;
 
-/// A function of numbers with its lengths.
+/// A function with the lengths of its state and values.
 struct Called {
     inputs: usize,
     outputs: usize,
     law: Box<Law>,
 }
 
-/// A function of numbers at an address, as C calls it: `void f(double time, const double *state, double *values)`.
+/// A function with an address that C can call: `void f(double time, const double *state, double *values)`.
 ///
-/// The address may be called as long as this lives, by many threads at a time. Where the function panics, all values are not a number.
+/// The address is valid as long as this object lives, and may be called from several threads. If the function panics,
+/// all values are NaN.
 pub struct CFunction {
     pages: Mmap,
-    /// Owns the address in the machine code.
+    /// Owns the context whose address is in the machine code.
     _called: Box<Called>,
 }
 
 impl CFunction {
-    /// Gives an address to a function of so many numbers of a state that writes so many values.
+    /// Creates an address for a function of `inputs` numbers that writes `outputs` values.
     ///
-    /// None where this processor or system is not known, or gives no executable pages.
+    /// `None` where the processor or system is not supported, or no executable pages are available.
     pub fn of(
         [inputs, outputs]: [usize; 2],
         law: impl Fn(f64, &[f64], &mut [f64]) + Send + Sync + 'static,
@@ -179,7 +185,7 @@ impl CFunction {
         Some(CFunction { pages: executable(&instructions)?, _called: called })
     }
 
-    /// The address. The caller must pass as many numbers as the function takes, and room for as many as it writes.
+    /// The address. The caller must pass `inputs` readable numbers, and space for `outputs` values.
     pub fn address(&self) -> usize {
         self.pages.as_ptr().addr()
     }
@@ -191,7 +197,7 @@ impl fmt::Debug for CFunction {
     }
 }
 
-/// Calls a function of numbers for C.
+/// Calls a Rust function on behalf of C.
 extern "C" fn call(called: *const Called, time: f64, state: *const f64, values: *mut f64) {
     // SAFETY: the code of a `CFunction` alone has this address, and hands over the context that lives as long as its pages.
     let Called { inputs, outputs, law } = unsafe { &*called };
@@ -202,13 +208,13 @@ extern "C" fn call(called: *const Called, time: f64, state: *const f64, values: 
     let copied = is_shared.then(|| unsafe { std::slice::from_raw_parts(state, *inputs) }.to_vec());
     let values = unsafe { std::slice::from_raw_parts_mut(values, *outputs) };
     let state = copied.as_deref().unwrap_or_else(|| unsafe { std::slice::from_raw_parts(state, *inputs) });
-    // nothing may unwind into C
+    // a panic must not unwind into C
     if catch_unwind(AssertUnwindSafe(|| law(time, state, values))).is_err() {
         values.fill(f64::NAN);
     }
 }
 
-/// Pages with these instructions, which may run and no longer be written.
+/// Executable, read-only pages with these instructions.
 fn executable(instructions: &[u8]) -> Option<Mmap> {
     let mut pages = MmapMut::map_anon(instructions.len()).ok()?;
     pages.copy_from_slice(instructions);
@@ -217,30 +223,31 @@ fn executable(instructions: &[u8]) -> Option<Mmap> {
     Some(pages)
 }
 
-/// Where `extern "C"` gives two numbers back in two registers, as the code expects of [`write::circle`].
+/// Whether `extern "C"` returns two numbers in two registers on this platform, as the code expects of
+/// [`write::circle`].
 const KNOWN: bool = cfg!(all(unix, any(target_arch = "x86_64", target_arch = "aarch64")));
 
-/// Steps of the longest tape that becomes code: the generator takes some microseconds for each step, and following the tape takes
-/// a hundredth of one.
+/// The largest number of operations compiled to machine code: code generation takes some microseconds per operation,
+/// interpretation a hundredth of that.
 pub const MOST_STEPS: usize = 1 << 20;
 
-/// Bytes at whose multiples functions begin.
+/// The alignment of functions in bytes.
 const ALIGNED: usize = 32;
 
-/// Bytes of the largest frame on the stack, of the two megabytes that a thread has by default.
+/// The largest stack frame in bytes; a thread has two megabytes by default.
 pub const MOST_STACK: u32 = 1 << 15;
 
-/// Bytes in which a number waits on the stack: the generator keeps a whole vector register there.
+/// The stack space in bytes of a spilled number: the code generator stores a whole SIMD register.
 const WAITING: usize = 16;
 
-/// Makes the processor fetch the new instructions of these pages, on every core; x86-64 does so by itself.
+/// Flushes the instruction caches of all cores for these pages; x86-64 does this by itself.
 fn fetch_anew(pages: &Mmap) -> Option<()> {
     // SAFETY: the range is that of one mapping, which is there and readable.
     unsafe { wasmtime_internal_jit_icache_coherence::clear_cache(pages.as_ptr().cast(), pages.len()) }.ok()?;
     wasmtime_internal_jit_icache_coherence::pipeline_flush_mt().ok()
 }
 
-/// The instruction set of this processor, where the code generator supports it.
+/// The instruction set of this processor, if the code generator supports it.
 fn processor() -> Option<&'static OwnedTargetIsa> {
     static PROCESSOR: OnceLock<Option<OwnedTargetIsa>> = OnceLock::new();
     let found = PROCESSOR.get_or_init(|| {
@@ -248,9 +255,9 @@ fn processor() -> Option<&'static OwnedTargetIsa> {
             return None;
         }
         let mut flags = settings::builder();
-        // repeated reads are merged; sums and products stay as they are
+        // merges repeated loads; sums and products are unchanged
         flags.set("opt_level", "speed").ok()?;
-        // a long program's room on the stack is touched page by page, by the code itself: a guard page is never stepped over
+        // the code itself touches its stack frame page by page, so that it cannot skip a guard page
         flags.set("enable_probestack", "true").ok()?;
         flags.set("probestack_strategy", "inline").ok()?;
         flags.set("enable_verifier", "false").ok()?;
@@ -265,7 +272,7 @@ mod tests {
     use field::{Analytic, Scalar};
     use symbolic::Sym;
 
-    /// A tape of which so many numbers are in use at once: each is needed by a first product, and by a second one at the end.
+    /// A tape with `numbers` values in use at once: each is needed by a first product, and by a second one at the end.
     fn crowded(numbers: i64) -> Tape {
         let [x, t] = ["x", "t"].map(Sym::symbol);
         let roots: Vec<Sym> = (1..=numbers).map(|k| (x * x + Sym::ONE + Sym::ratio(1, k)).sqrt()).collect();
@@ -284,7 +291,7 @@ mod tests {
         };
         let large = written(1300);
         assert!((8192..=MOST_STACK).contains(&large.frame), "{} bytes", large.frame);
-        // mov dword ptr [rsp], 0: in the prologue, for each page or in a loop
+        // mov dword ptr [rsp], 0: in the prologue, once for each page or in a loop
         let touch = [0xC7, 0x04, 0x24, 0, 0, 0, 0];
         let prologue = &large.instructions[..256];
         assert!(prologue.windows(touch.len()).any(|bytes| bytes == touch), "{prologue:02X?}");
@@ -303,7 +310,7 @@ mod tests {
             tape.over::<f64>().evaluate(&[1e-3, 1e-4], &mut all);
             code.run(&[1e-3], 1e-4, &mut own);
             assert_eq!(own.map(f64::to_bits), all.map(f64::to_bits), "{code:?}");
-            // the room is that of the thread: another run, of another length, has its own values
+            // the buffer belongs to the thread: a run of another length has its own values
             code.run(&[2e-3], 1e-4, &mut own);
             assert_ne!(own.map(f64::to_bits), all.map(f64::to_bits), "{code:?}");
         }
@@ -348,7 +355,7 @@ mod tests {
         let Some(code) = Code::of(&tape) else { return };
         let (mut own, mut all) = ([0.0; 2], [0.0; 2]);
         tape.over::<f64>().evaluate(&[1e-3, 0.5], &mut all);
-        // on a stack that has little more than the frame
+        // on a stack only slightly larger than the frame
         let run = std::thread::Builder::new().stack_size(1 << 18);
         own = run
             .spawn(move || code.run(&[1e-3], 0.5, &mut own).map(|()| own))

@@ -1,9 +1,9 @@
-//! The number of computed values in use at once: those that do not fit into registers wait on the stack.
+//! The number of values in use at once, which determines how many are spilled to the stack.
 
 use super::pieces::place;
 use symbolic::Tape;
 
-/// The most computed numbers of a tape that are still to be read, or to be written as outputs, at any of its steps.
+/// The largest number, over all steps of a tape, of computed values that are still to be read or written as outputs.
 pub fn most_live(tape: &Tape) -> usize {
     let given = tape.inputs() + tape.rounded().len();
     let computed = tape.registers().saturating_sub(given);

@@ -1,34 +1,35 @@
-//! A long tape in pieces, each a function of its own: the generator's time and the stack grow with the piece.
+//! Splitting of a long tape into pieces, each compiled to one function: the time of code generation and the stack frame
+//! grow with the piece.
 
 use std::ops::Range;
 use symbolic::{Register, Tape};
 
-/// Operations of one piece where a tape is cut.
+/// The number of operations of a piece, if the tape is split.
 const LENGTH: usize = 256;
 
-/// Operations of the longest tape that is one piece.
+/// The largest number of operations of a tape that is not split.
 const WHOLE: usize = 1 << 11;
 
-/// A tape that is cut, and the numbers that its pieces pass on.
+/// A split tape, and the values passed between its pieces.
 pub struct Pieces {
     pub ranges: Vec<Range<usize>>,
-    /// The place of each computed register in the room that all pieces share, if a later piece reads it.
+    /// The index of each computed register in the common buffer, if a later piece reads it.
     pub kept: Vec<Option<usize>>,
     /// The piece that computes each computed register.
     pub made_in: Vec<usize>,
-    /// Numbers in that room.
+    /// The length of that buffer.
     pub room: usize,
 }
 
 impl Pieces {
-    /// One piece, where a tape is short and at most `most_live` of its numbers are in use at once; otherwise many.
+    /// One piece if the tape is short and at most `most_live` values are in use at once; otherwise several.
     pub fn of(tape: &Tape, most_live: usize) -> Self {
         let steps = tape.steps().len();
         let whole = steps <= WHOLE && super::live::most_live(tape) <= most_live;
         Self::cut(tape, if whole { steps.max(1) } else { LENGTH })
     }
 
-    /// Pieces of so many operations.
+    /// Splits the tape into pieces of `length` operations.
     pub fn cut(tape: &Tape, length: usize) -> Self {
         let steps = tape.steps();
         let ranges: Vec<_> =
@@ -54,7 +55,7 @@ impl Pieces {
     }
 }
 
-/// The number of a register among the computed ones, which come after inputs and constants.
+/// The index of a register among the computed ones, which come after inputs and constants.
 pub fn place(register: Register, given: usize) -> Option<usize> {
     (register as usize).checked_sub(given)
 }

@@ -1,4 +1,4 @@
-//! The instructions of a piece of a tape.
+//! Code generation for a piece of a tape.
 
 use crate::pieces::{Pieces, place};
 use cranelift_codegen::control::ControlPlane;
@@ -11,25 +11,25 @@ use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use field::{Analytic, Elementary};
 use symbolic::{Operation, Register, Tape};
 
-/// Bytes of a number.
+/// The size of a number in bytes.
 const NUMBER: i32 = 8;
-/// The slices of the caller are aligned, and no memory that is read is written: a number may be read where it is first
-/// used.
+/// The caller's slices are aligned, and memory that is read is never written: loads may be moved to their first use.
 const MEMORY: MemFlags = MemFlags::trusted().with_readonly().with_can_move();
-/// Two numbers at once are aligned as one.
+/// Two adjacent numbers have the alignment of one.
 const TOGETHER: MemFlags = MemFlags::new().with_notrap();
 
-/// A piece writes each number that it keeps for later ones once, and does not read it.
+/// A piece writes each value for later pieces once and does not read it.
 const KEPT: MemFlags = MemFlags::trusted();
 
-/// The function of one piece.
+/// The machine code of one piece.
 pub struct Written {
     pub instructions: Vec<u8>,
-    /// Bytes that it takes on the stack below the caller's frame pointer.
+    /// The stack frame in bytes.
     pub frame: u32,
 }
 
-/// A function `(all inputs but the last, the last, outputs, constants, room)` that refers only to itself and the functions below.
+/// The code of a function `(state, time, outputs, constants, buffer)` that refers only to itself and the functions
+/// below; `None` where the code generator fails.
 pub fn instructions(tape: &Tape, pieces: &Pieces, piece: usize, isa: &OwnedTargetIsa) -> Option<Written> {
     let (pointer, convention) = (isa.pointer_type(), isa.default_call_conv());
     let signature = |takes: &[ir::Type], gives: &[ir::Type]| {
@@ -92,7 +92,7 @@ pub fn instructions(tape: &Tape, pieces: &Pieces, piece: usize, isa: &OwnedTarge
     code.ins().return_(&[]);
     code.finalize();
     let compiled = context.compile(&**isa, &mut ControlPlane::default()).ok()?;
-    // relocations would have to be filled in later; this code has none
+    // relocations are not supported; this code has none
     if !compiled.buffer.relocs().is_empty() {
         return None;
     }
@@ -100,15 +100,15 @@ pub fn instructions(tape: &Tape, pieces: &Pieces, piece: usize, isa: &OwnedTarge
     Some(Written { instructions: compiled.code_buffer().to_vec(), frame })
 }
 
-/// The place of a number of a tape.
+/// The location of a number of a tape.
 #[derive(Clone, Copy)]
 enum Operand {
-    /// The offset in bytes from the first input.
+    /// An input: its offset from the first, in bytes.
     Input(i32),
-    /// The value, and its offset in the table in bytes.
+    /// A constant: its value, and its offset in the table in bytes.
     Constant(f64, i32),
     Computed(Value),
-    /// Computed by an earlier piece, so many bytes behind the first of the room.
+    /// Computed by an earlier piece: its offset in the buffer in bytes.
     Kept(i32),
     /// Computed by an earlier piece, and read by no later one.
     Gone,
@@ -128,8 +128,8 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// A number for one operation. Numbers in memory are read where they are used: the generator makes the reading part of the
-    /// operation, or reads once for several. Numbers read at the beginning would displace computed ones.
+    /// Reads a number for one operation. Memory is read where it is used, so that the code generator can fold or merge
+    /// loads; early loads would displace computed values from registers.
     fn read(&mut self, register: Register) -> Value {
         let code = self.code.ins();
         match self.registers[register as usize] {
@@ -141,7 +141,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Writes a number that later pieces read.
+    /// Writes a value that later pieces read.
     fn keep(&mut self, made: usize, kept: Option<usize>) -> Option<()> {
         if let (Some(kept), Operand::Computed(value)) = (kept, self.registers[made]) {
             self.code.ins().store(KEPT, value, self.room, offset(kept)?);
@@ -149,8 +149,8 @@ impl Writer<'_> {
         Some(())
     }
 
-    /// Two operands that may be exchanged. The second one may come from memory, and a constant that comes first is made by two
-    /// instructions of its own.
+    /// Two operands of a commutative operation. The second may come from memory; a constant as the first needs two
+    /// instructions.
     fn either_way(&mut self, a: Register, b: Register) -> [Value; 2] {
         let rank = |register: Register| match self.registers[register as usize] {
             Operand::Computed(_) => 0,
@@ -161,7 +161,8 @@ impl Writer<'_> {
         [a, b].map(|register| self.read(register))
     }
 
-    /// Two factors of a product within a sum: there a constant is an operand from the table, or two instructions of its own.
+    /// The two factors of a product within a sum: a constant is there an operand from the table, or needs two
+    /// instructions.
     fn factors(&mut self, [a, b]: [Register; 2]) -> [Value; 2] {
         let known = [a, b].map(|register| match self.registers[register as usize] {
             Operand::Constant(_, offset) => Some(offset),
@@ -243,8 +244,8 @@ impl Writer<'_> {
         self.registers.extend(self.code.inst_results(call).iter().copied().map(Operand::Computed));
     }
 
-    /// Writes outputs, each to its place. Most outputs of a Jacobian are constants: two that stand side by side are written at
-    /// once, one alone as the integer that has its bits.
+    /// Writes outputs to their places. Most outputs of a Jacobian are constants: two adjacent ones are written at once,
+    /// a single one as the integer with its bits.
     fn results(&mut self, mut results: &[(usize, Register)]) -> Option<()> {
         let constant = |registers: &[Operand], register: Register| match registers[register as usize] {
             Operand::Constant(constant, _) => Some(constant.to_bits()),
@@ -270,12 +271,12 @@ impl Writer<'_> {
     }
 }
 
-/// The offset of a number behind the first.
+/// The offset of a number in bytes.
 fn offset(place: usize) -> Option<i32> {
     i32::try_from(place).ok()?.checked_mul(NUMBER)
 }
 
-/// A point of the circle as two numbers, which a function gives back in two registers.
+/// A circle point as two numbers, returned in two registers.
 #[repr(C)]
 struct Point {
     cos: f64,
@@ -288,24 +289,24 @@ impl From<field::Circle<f64>> for Point {
     }
 }
 
-/// Cosine and sine of an angle, by the function that all of the program uses.
+/// Cosine and sine of an angle, by the function that the whole program uses.
 extern "C" fn circle(angle: f64) -> Point {
     angle.circle().into()
 }
 
-/// [`circle`] with each product and its sum rounded once, where the processor does so in one instruction.
+/// As [`circle`] with fused multiply-add, for processors that have the instruction.
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "fma")]
 extern "C" fn circle_by_fma(angle: f64) -> Point {
     angle.circle_once().into()
 }
 
-/// The same numbers on any processor.
+/// As [`circle_by_fma`] with equal results on any processor.
 extern "C" fn circle_once(angle: f64) -> Point {
     angle.circle_once().into()
 }
 
-/// The one of both that this processor runs.
+/// The variant of both for this processor.
 fn once() -> *const () {
     #[cfg(target_arch = "x86_64")]
     if std::arch::is_x86_feature_detected!("fma") {
@@ -314,7 +315,7 @@ fn once() -> *const () {
     circle_once as *const ()
 }
 
-/// The elementary functions, by the code that all of the program uses; for a single argument the second is not read.
+/// The elementary functions, by the code that the whole program uses; functions of one argument ignore the second.
 macro_rules! called {
     ($($name:ident: $function:ident),*) => {$(
         extern "C" fn $name(a: f64, b: f64) -> f64 {

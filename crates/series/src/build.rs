@@ -1,4 +1,4 @@
-//! Reduction of the expression graph to sums and products.
+//! Reduction of an expression graph to sums and products.
 
 use super::collect::{Uses, common_factor, parts_of_one, whole_sums};
 use super::form::{Atom, Form};
@@ -12,19 +12,19 @@ use symbolic::{Node, Sym, Tape, Untapeable};
 /// The definition of a quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Definition {
-    /// A state, time, a coordinate of a circle point, or an elementary function, given by its rate.
+    /// A quantity given by its rate: a state, time, a coordinate of a circle point, or an elementary function.
     State,
     /// A sum of a constant and multiples of quantities.
     Sum(Form),
     Product(Atom, Atom),
-    /// A quantity, or one, by another.
+    /// The quotient of a quantity, or of one, by another.
     Quotient(Option<Atom>, Atom),
     Root(Atom),
     /// An unknown of the linear equations.
     Unknown,
 }
 
-/// Linear equations with their entries and right sides brought to constants and quantities.
+/// Linear equations whose entries and right-hand sides are constants or quantities.
 pub(super) struct Reduction<'a> {
     pub solve: &'a Solve,
     pub entries: Vec<Part>,
@@ -33,7 +33,7 @@ pub(super) struct Reduction<'a> {
     pub first: Atom,
 }
 
-/// A number of linear equations.
+/// An entry of linear equations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Part {
     /// A constant, as an expression.
@@ -41,37 +41,36 @@ pub(super) enum Part {
     Moving(Atom),
 }
 
-/// Sums and products in the making.
+/// The sums and products under construction.
 pub(super) struct Builder<'a> {
     pub equations: &'a Equations<'a>,
     pub definitions: Vec<Definition>,
-    /// For each state its rate, a sum.
+    /// The rate of each state, as a sum.
     pub rates: Vec<Form>,
     pub forms: FxHashMap<Sym, Form>,
-    /// Parts of one larger expression alone, among the expressions that are read.
+    /// The expressions that occur in a single larger expression only.
     parts: FxHashSet<Sym>,
     known_sums: FxHashMap<Vec<(Atom, Sym)>, Atom>,
     known: FxHashMap<(u8, Atom, Atom), Atom>,
-    /// The coordinates of circle points and the elementary functions among the states, as expressions.
+    /// The circle points and elementary functions among the states, as expressions.
     pub points: Vec<Sym>,
-    /// The cosines among the states; the sine of each is the next one.
+    /// The cosines among the states; the sine of each follows it.
     pub circles: Vec<Atom>,
     pub reduction: Option<Reduction<'a>>,
-    /// Products of sums with at most so many terms are multiplied out.
+    /// Products of sums are expanded if they have at most so many terms.
     multiplied_out: usize,
-    /// The terms that multiplying out has written.
+    /// The number of terms written by expansions so far.
     written: usize,
-    /// The uses of products: counted in a first run, read in a second.
+    /// The uses of products: counted in a first pass, read in a second.
     uses: Uses,
     gathers: bool,
 }
 
-/// The number of terms beyond which nothing more is multiplied out: a short factor of a long sum makes a longer one,
-/// without end.
+/// The number of terms after which nothing is expanded any more, against unlimited growth of long sums.
 const MOST_WRITTEN: usize = 20_000;
 
 impl<'a> Builder<'a> {
-    /// Builds twice: the first run counts the places of products.
+    /// Builds twice: the first pass counts the uses of products.
     pub fn run(equations: &'a Equations<'a>, multiplied_out: usize) -> Result<Self, Untapeable> {
         let mut counting = Builder::new(equations, multiplied_out, Uses::default(), false);
         counting.build()?;
@@ -111,7 +110,7 @@ impl<'a> Builder<'a> {
     fn build(&mut self) -> Result<(), Untapeable> {
         let mut rates = self.equations.rates.to_vec();
         rates.extend(self.equations.time.map(|_| Sym::ONE));
-        // Circle points and elementary functions are states: their rates come after the others, and may bring new ones.
+        // circle points and elementary functions are states: their rates follow, and may introduce further ones
         let solved = self.equations.solve.map(Solve::expressions).unwrap_or_default();
         self.admit_points(&mut rates, &solved);
         if let Some(solve) = self.equations.solve {
@@ -163,7 +162,7 @@ impl<'a> Builder<'a> {
     }
 
     fn form(&mut self, each: Sym) -> Result<Form, Untapeable> {
-        // an expression of constants is one coefficient as it stands; one whose parts only cancel to constants is not
+        // an expression of constants is one coefficient; one whose parts only cancel to a constant is not
         let fixed = each.node().children().all(|child| self.forms[&child].as_constant() == Some(child));
         Ok(match each.node() {
             Node::Constant(_) if each == Sym::UNDEFINED => return Err(Untapeable::Undefined),
@@ -197,20 +196,21 @@ impl<'a> Builder<'a> {
                 let square = self.quantity(self.forms[&a].clone());
                 Form::atom(self.intern(2, square, square, Definition::Root(square)))
             }
-            // constants have no children; circle points and elementary functions that move with the state are states already
+            // constants have no children; circle points and elementary functions that depend on the state are states
+            // already
             Node::Constant(_) | Node::Cos(_) | Node::Sin(_) | Node::Elementary(..) => {
                 return Err(Untapeable::Function(each.to_string()));
             }
         })
     }
 
-    /// Adds to the longer form of the two: in a sum of many terms each part is then added once.
+    /// The sum of two forms. The shorter one is added to the longer one, so that the parts of long sums are added once.
     fn sum(&mut self, a: Sym, b: Sym) -> Form {
         let (long, short) = if self.forms[&a].terms() < self.forms[&b].terms() { (b, a) } else { (a, b) };
         self.taken(long).plus(&self.forms[&short], Sym::ONE)
     }
 
-    /// The form of a part: itself where nothing else needs it, otherwise a copy.
+    /// The form of a part: itself if it has no other use, otherwise a copy.
     fn taken(&mut self, part: Sym) -> Form {
         let own = if self.parts.contains(&part) { self.forms.remove(&part) } else { None };
         own.unwrap_or_else(|| self.forms[&part].clone())
@@ -243,7 +243,7 @@ impl<'a> Builder<'a> {
         self.intern(0, a, b, Definition::Product(a, b))
     }
 
-    /// The form with every product a quantity of its own.
+    /// The form with each product as a quantity.
     fn resolved(&mut self, mut form: Form) -> Form {
         for ((a, b), c) in std::mem::take(&mut form.products) {
             let product = self.product_of(a, b);
@@ -252,7 +252,7 @@ impl<'a> Builder<'a> {
         form
     }
 
-    /// The form with products gathered by common factors.
+    /// The form with products collected by common factors.
     fn gathered(&mut self, mut form: Form) -> Form {
         while let Some((factor, sum)) = common_factor(&form, &self.uses) {
             form.products.retain(|&(a, b), _| {
@@ -291,14 +291,14 @@ impl<'a> Builder<'a> {
         atom
     }
 
-    /// The approximate number of operations of a series of usual order.
+    /// The approximate number of operations of a series of typical order.
     pub fn cost(&self) -> usize {
         let of = |definition: &Definition| match definition {
             Definition::State => 0,
             Definition::Sum(form) => 4 + form.terms(),
             Definition::Product(..) => 8,
             Definition::Quotient(..) | Definition::Root(_) => 24,
-            // the cost of this is the same for any form of the rest
+            // its cost does not depend on the reduction
             Definition::Unknown => 0,
         };
         let used = self.used();
@@ -306,7 +306,7 @@ impl<'a> Builder<'a> {
         definitions.sum::<usize>() + self.rates.iter().map(Form::terms).sum::<usize>()
     }
 
-    /// Whether a rate needs each quantity.
+    /// Whether a rate depends on each quantity.
     pub fn used(&self) -> Vec<bool> {
         let mut used = vec![false; self.definitions.len()];
         self.rates.iter().flat_map(|rate| rate.linear.keys()).for_each(|&atom| used[atom] = true);
@@ -330,7 +330,7 @@ impl<'a> Builder<'a> {
         used
     }
 
-    /// The recurrence, with the tapes for its coefficients and its circle points.
+    /// The recurrence, with the tapes for its coefficients and circle points.
     pub fn finish(self) -> Result<Recurrence, Untapeable> {
         let (plan, coefficients) = Plan::new(&self);
         let Equations { state, time, parameters, .. } = *self.equations;

@@ -1,16 +1,17 @@
-//! Gathering products by a common factor.
+//! Collection of products by a common factor.
 
 use super::form::{Atom, Form};
 use rustc_hash::{FxHashMap, FxHashSet};
 use symbolic::{Node, Sym};
 
-/// The least number of products with one factor that are gathered into a sum.
+/// The smallest number of products with a common factor that are collected.
 const WORTH: usize = 3;
 
-/// The numbers of places in which products of two quantities arise.
+/// The number of uses of each product of two quantities.
 pub(super) type Uses = FxHashMap<(Atom, Atom), u32>;
 
-/// The factor with most products that arise here alone, and its partners: x_f times (sum c_i x_i).
+/// The factor that occurs in the most products without other uses, and the sum of its partners: x_f times (sum c_i
+/// x_i).
 pub(super) fn common_factor(form: &Form, uses: &Uses) -> Option<(Atom, Form)> {
     let own = |pair: &(Atom, Atom)| uses.get(pair).is_some_and(|&count| count == 1);
     let pairs: Vec<(Atom, Atom)> = form.products.keys().copied().filter(own).collect();
@@ -21,7 +22,7 @@ pub(super) fn common_factor(form: &Form, uses: &Uses) -> Option<(Atom, Form)> {
             *counts.entry(b).or_default() += 1;
         }
     }
-    // among equals the first: the choice does not depend on the order of hashing
+    // ties are resolved by index: the choice does not depend on hashing
     let (factor, _) = counts.into_iter().max_by_key(|&(atom, count)| (count, std::cmp::Reverse(atom)))?;
     let mut sum = Form::default();
     for &(a, b) in pairs.iter().filter(|&&(a, b)| a == factor || b == factor) {
@@ -31,7 +32,7 @@ pub(super) fn common_factor(form: &Form, uses: &Uses) -> Option<(Atom, Form)> {
     (sum.linear.len() >= WORTH).then_some((factor, sum))
 }
 
-/// The sums that are not part of one larger sum alone.
+/// The sums that are not part of a single larger sum only.
 pub(super) fn whole_sums(order: &[Sym], outputs: &[Sym]) -> FxHashSet<Sym> {
     let outputs: FxHashSet<Sym> = outputs.iter().copied().collect();
     let is_sum = |each: Sym| matches!(each.node(), Node::Sum(..) | Node::Difference(..));
@@ -49,10 +50,10 @@ pub(super) fn whole_sums(order: &[Sym], outputs: &[Sym]) -> FxHashSet<Sym> {
     order.iter().copied().filter(|&each| is_sum(each) && (outputs.contains(&each) || !partial(each))).collect()
 }
 
-/// Expressions that are part of one larger expression alone, and no outputs.
+/// The expressions that are part of a single larger expression only, and no outputs.
 pub(super) fn parts_of_one(order: &[Sym], outputs: &[Sym]) -> FxHashSet<Sym> {
     let mut parents: FxHashMap<Sym, u32> = FxHashMap::default();
-    // an output is needed beside the expression of which it is a part
+    // an output is needed besides the expression of which it is a part
     let needed =
         order.iter().flat_map(|each| each.node().children()).chain(outputs.iter().flat_map(|&each| [each, each]));
     needed.for_each(|part| *parents.entry(part).or_default() += 1);

@@ -1,4 +1,4 @@
-//! All coefficients of a solution's series, order by order.
+//! All Taylor coefficients of a solution, order by order.
 
 use super::fused::{Fused, Task};
 use super::layout::{MOST, width};
@@ -10,11 +10,11 @@ use super::sum::{Sum, Terms, copy};
 use super::{Recurrence, Reduced};
 use symbolic::{Program, Tape};
 
-/// A recurrence over a field, with room for the series of all its quantities: expanding allocates nothing.
+/// A recurrence over a scalar type, with buffers for the series of all its quantities: an expansion allocates nothing.
 ///
-/// `W` quantities are computed side by side: 8 fill the widest registers of today with `f64`; a field that is wide
-/// itself takes 1. `N` is a power of two above the number of columns: no index needs a check. Making an expansion takes
-/// as long as a few steps: it should be kept from run to run.
+/// `W` quantities are computed together: 8 `f64` fill the widest registers; a type that fills a register takes 1. `N`
+/// is a power of two above the number of columns, so that indices need no check. The construction takes as long as a
+/// few steps, so that an expansion should be reused between runs.
 #[derive(Clone, Debug)]
 pub struct Expansion<S: Fused, const W: usize, const N: usize = 256> {
     order: usize,
@@ -23,16 +23,16 @@ pub struct Expansion<S: Fused, const W: usize, const N: usize = 256> {
     way: Way<S, W, N>,
     /// The coefficients of all orders of the quantities with a rate; `width` is the length of one order.
     series: Vec<S>,
-    /// Up to this order they have all digits of the field.
+    /// Coefficients up to this order have the full precision of the type.
     fine: usize,
     width: usize,
     points: Program<'static, S>,
     coefficients: Program<'static, S>,
-    /// Room for the values of the coefficients.
+    /// Buffer for the coefficients of the sums.
     values: Vec<S>,
 }
 
-/// The way in which the orders are computed.
+/// The implementation of the orders.
 #[derive(Clone, Debug)]
 enum Way<S: Fused, const W: usize, const N: usize> {
     Stages(Stages<S, W, N>),
@@ -40,7 +40,7 @@ enum Way<S: Fused, const W: usize, const N: usize> {
 }
 
 impl Recurrence {
-    /// Prepares the recurrence for series to the given order at these parameters; `None` where it has more than `N`
+    /// Prepares the recurrence for series of the given order with these parameters; `None` where it has more than `N`
     /// columns.
     pub fn expansion<S: Fused, const W: usize, const N: usize>(
         &self,
@@ -86,14 +86,14 @@ fn program<S: Fused>(tape: &Tape) -> Program<'static, S> {
 }
 
 impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
-    /// The order of the last coefficient.
+    /// The order of the series.
     pub fn order(&self) -> usize {
         self.order
     }
 
-    /// Takes other values of the parameters.
+    /// Sets the parameters.
     pub fn set_parameters(&mut self, parameters: &[S]) {
-        // the points' program keeps them
+        // the program of the circle points reads them
         let moving = self.states + usize::from(self.time);
         let inputs: Vec<S> = std::iter::repeat_n(S::zero(), moving).chain(parameters.iter().copied()).collect();
         self.points.evaluate(&inputs, &mut []);
@@ -104,13 +104,13 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
         }
     }
 
-    /// Expands the solution through `state` at `time`.
+    /// Computes the Taylor coefficients of the solution through `state` at `time`.
     pub fn expand(&mut self, state: &[S], time: S) {
         self.expand_rounding(state, time, self.order);
     }
 
-    /// As [`expand`](Self::expand), where the digits of `f64` suffice for the coefficients after the order `fine`, from 1 on.
-    /// Returns the order up to which they have all digits of the field.
+    /// As [`expand`](Self::expand), but coefficients above the order `fine` >= 1 need only the digits of `f64`. Returns
+    /// the order up to which the coefficients have full precision.
     pub fn expand_rounding(&mut self, state: &[S], time: S, fine: usize) -> usize {
         let n = self.states.min(state.len());
         copy::<S, W>(&state[..n], &mut self.series);
@@ -136,13 +136,13 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
         fine
     }
 
-    /// The coefficients a_k of the states.
+    /// The Taylor coefficients a_k of the states.
     #[inline]
     pub fn coefficients(&self, k: usize) -> &[S] {
         &self.series[k * self.width..][..self.states]
     }
 
-    /// The sum of the series at h, by Horner's scheme.
+    /// Evaluates the series at h, by Horner's scheme.
     #[inline]
     pub fn sum(&self, h: S, out: &mut [S]) {
         let Expansion { series, width, states, order, fine, .. } = self;
@@ -151,7 +151,7 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
     }
 }
 
-/// The circle points at the start. In double-double their products are fused, which an instruction does where there is one.
+/// The circle points at the start. In double-double their products use fused multiply-add, where the processor has it.
 struct Points<'a, S> {
     program: &'a mut Program<'static, S>,
     known: &'a [S],
@@ -165,5 +165,5 @@ impl<S: Fused> Task<S> for Points<'_, S> {
     }
 }
 
-/// The width of a group in the small series.
+/// The group size of the small series.
 const GROUP: usize = 8;

@@ -4,10 +4,10 @@ use num_traits::Zero;
 use std::collections::BTreeMap;
 use symbolic::Sym;
 
-/// A quantity: its place among the definitions.
+/// A quantity, as the index of its definition.
 pub(super) type Atom = usize;
 
-/// constant + sum c_i x_i + sum c_ij x_i x_j
+/// The form constant + sum c_i x_i + sum c_ij x_i x_j.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub(super) struct Form {
     pub constant: Coefficient,
@@ -55,23 +55,23 @@ impl Form {
         add(&mut self.products, (a.min(b), a.max(b)), coefficient);
     }
 
-    /// The value of a form without quantities.
+    /// The constant, for a form without quantities.
     pub fn as_constant(&self) -> Option<Sym> {
         (self.linear.is_empty() && self.products.is_empty()).then_some(self.constant.0)
     }
 
-    /// The quantity, for a form that is one quantity alone.
+    /// The quantity, for a form that consists of one quantity.
     pub fn as_atom(&self) -> Option<Atom> {
         let alone = self.constant.is_zero() && self.products.is_empty() && self.linear.len() == 1;
         self.linear.iter().next().filter(|(_, c)| alone && c.0 == Sym::ONE).map(|(&atom, _)| atom)
     }
 
-    /// The number of terms, the constant one of them.
+    /// The number of terms, including the constant one.
     pub fn terms(&self) -> usize {
         usize::from(!self.constant.is_zero()) + self.linear.len() + self.products.len()
     }
 
-    /// self + factor * other
+    /// The form self + factor * other.
     pub fn plus(mut self, other: &Form, factor: Sym) -> Self {
         self.constant.0 += factor * other.constant.0;
         for (&atom, c) in &other.linear {
@@ -89,7 +89,7 @@ impl Form {
         Form::default().plus(self, factor)
     }
 
-    /// The product of two sums without products, multiplied out.
+    /// The expanded product of two sums without products.
     pub fn multiplied_out(&self, other: &Form) -> Self {
         let mut product = other.times(self.constant.0);
         for (&a, c) in &self.linear {

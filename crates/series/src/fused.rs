@@ -1,4 +1,4 @@
-//! Kernels with the widest instructions that the processor has, chosen when the program runs.
+//! Kernels compiled for several instruction sets, of which the best is chosen at run time.
 
 #[cfg(target_arch = "x86_64")]
 use super::permuting::Permuting;
@@ -10,31 +10,31 @@ use field::{Analytic, Batch, DoubleDouble, Over, Tangent};
 use std::marker::PhantomData;
 use std::sync::OnceLock;
 
-/// A field with a product added to a sum as fast as the processor can.
+/// A scalar type with the fastest multiply-add of the processor.
 pub trait Fused: Analytic + Magnitude + Over<f64> + From<f64> {
-    /// Whether it holds more digits than `f64`.
+    /// Whether it has more digits than `f64`.
     const FINER: bool = false;
 
-    /// Eight numbers as they stand in memory.
+    /// Eight numbers in memory.
     #[doc(hidden)]
     #[allow(private_bounds)]
     type Stored: Stored<Self>;
 
-    /// The series of small right-hand sides.
+    /// The implementation for small right-hand sides.
     #[doc(hidden)]
     #[allow(private_bounds)]
     type Small: SmallSeries<Self>;
 
-    /// The nearest `f64`, of a number with derivatives that of the number.
+    /// The nearest `f64`; for a dual number, of its value.
     fn rounded(self) -> f64;
 
-    /// self + a b, rounded once or twice.
+    /// self + a b; rounded once if `_fused`.
     #[inline(always)]
     fn plus_product(self, a: Self, b: Self, _fused: bool) -> Self {
         self + a * b
     }
 
-    /// Runs work on groups of so many numbers.
+    /// Runs a task on groups of `_group` numbers.
     #[doc(hidden)]
     #[allow(private_bounds)]
     #[inline]
@@ -43,7 +43,7 @@ pub trait Fused: Analytic + Magnitude + Over<f64> + From<f64> {
     }
 }
 
-/// Work that is compiled once for each set of instructions.
+/// A task that is compiled for each instruction set.
 pub(crate) trait Task<S: Fused> {
     fn run<P: Pick<S> + Pick<f64>>(self, pick: P);
 }
@@ -58,7 +58,7 @@ impl Fused for DoubleDouble {
         self.hi()
     }
 
-    /// Its products are fused: a call each, if compiled for a processor that may have no such instruction.
+    /// Products use fused multiply-add: a function call each on processors without the instruction.
     #[allow(private_bounds)]
     #[inline]
     fn run<T: Task<DoubleDouble>>(task: T, group: usize) {
@@ -66,8 +66,8 @@ impl Fused for DoubleDouble {
     }
 }
 
-/// A number in every lane, with its derivatives in as many directions: for the series of a solution and of its derivatives
-/// by the start.
+/// Dual numbers with a derivative in each lane, for the series of a solution and of its derivatives by the initial
+/// state.
 impl<const L: usize> Fused for Tangent<Batch<L>> {
     type Stored = [Self; 8];
     type Small = Never;
@@ -135,13 +135,13 @@ fn in_widest<S: Fused, T: Task<S>>(task: T, _group: usize) {
     otherwise(widest(), task);
 }
 
-/// A function apart: its stack frame is not taken where the widest registers are.
+/// A separate function, so that its stack frame is not needed for the widest registers.
 #[inline(never)]
 fn otherwise<S: Fused>(arch: pulp::Arch, task: impl Task<S>) {
     match arch {
         #[cfg(target_arch = "x86_64")]
         pulp::Arch::V3(wide) => pulp::Simd::vectorize(wide, With(task, OneByOne::<true>, PhantomData)),
-        // work that does not fill the widest registers needs no code of its own for them
+        // a task that does not fill the widest registers needs no code for them
         #[cfg(target_arch = "x86_64")]
         pulp::Arch::V4(widest) => pulp::Simd::vectorize(*widest, With(task, OneByOne::<true>, PhantomData)),
         #[cfg(not(target_arch = "x86_64"))]
@@ -150,12 +150,12 @@ fn otherwise<S: Fused>(arch: pulp::Arch, task: impl Task<S>) {
     }
 }
 
-/// Whether the processor has registers for several numbers, with a sum and product in one instruction.
+/// Whether the processor has SIMD registers with fused multiply-add.
 pub(crate) fn is_wide() -> bool {
     !matches!(widest(), pulp::Arch::Scalar)
 }
 
-/// Runs work on several systems at once, where the processor [has registers for it](is_wide) and nowhere else.
+/// Runs work on a batch if the processor [has such registers](is_wide); otherwise does nothing.
 #[inline]
 pub(crate) fn in_wide(work: impl pulp::WithSimd<Output = ()>) {
     match widest() {
@@ -169,7 +169,7 @@ pub(crate) fn in_wide(work: impl pulp::WithSimd<Output = ()>) {
     }
 }
 
-/// The widest registers of the processor, asked once: asking takes as long as a small task.
+/// The widest SIMD level of the processor, determined once.
 #[inline]
 pub(crate) fn widest() -> pulp::Arch {
     static FOUND: OnceLock<pulp::Arch> = OnceLock::new();

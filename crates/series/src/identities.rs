@@ -1,10 +1,11 @@
-//! Identities that make a recurrence shorter: squares of a circle point that come to one, a reciprocal within one product.
+//! Identities that shorten a recurrence: cos^2 + sin^2 = 1, and quotients instead of a reciprocal with a product.
 
 use super::build::{Builder, Definition, Part};
 use super::form::{Atom, Form};
 
 impl Builder<'_> {
-    /// Puts c^2 + s^2 = 1 wherever the squares of both coordinates of a circle point have one coefficient: kinetic energies are full of
+    /// Replaces c^2 + s^2 by 1 where both squares have equal coefficients, as in many kinetic energies. A divisor
+    /// without further quantities becomes constant.
     /// them, and a divisor in which no quantity is left becomes a constant.
     pub fn on_circles(&self, mut form: Form) -> Form {
         for &cos in &self.circles {
@@ -18,7 +19,8 @@ impl Builder<'_> {
         form
     }
 
-    /// Makes one quotient of each reciprocal that one product alone reads, and of that product: two products of series become one.
+    /// Merges each reciprocal that occurs in a single product with that product to a quotient: two series products
+    /// become one.
     pub fn merge_quotients(&mut self) {
         let readers = self.readers();
         for atom in 0..self.definitions.len() {
@@ -34,7 +36,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The number of times that each quantity is read by quantities that a rate needs; a square reads its factor twice.
+    /// The number of uses of each quantity in quantities that a rate depends on; a square counts twice.
     fn readers(&self) -> Vec<usize> {
         let mut readers = vec![0; self.definitions.len()];
         let forms = self.rates.iter().flat_map(|rate| rate.linear.keys().copied());

@@ -1,4 +1,4 @@
-//! The places of the quantities of a plan, by which `W` of them are computed at once.
+//! The memory layout of the quantities of a plan, such that `W` of them are computed together.
 
 use super::fused::Fused;
 use super::linear_equations::{Checked, LinearSeries};
@@ -7,7 +7,7 @@ use super::plan::{Plan, Product, Quotient, Slot, Sums};
 use algebra::linear::Magnitude;
 use field::Scalar;
 
-/// W numbers side by side; a group of eight `f64` is one line of the cache.
+/// W adjacent numbers; a group of eight `f64` is one cache line.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(super) struct Packed<S, const W: usize>(pub [S; W]);
@@ -18,13 +18,13 @@ impl<S: Scalar, const W: usize> Packed<S, W> {
     }
 }
 
-/// Sums that run side by side: none waits for the addition before. Terms are filled up to a multiple of it.
+/// The number of sums computed concurrently, to hide latency. Terms are padded to a multiple of it.
 pub(super) const CHAINS: usize = 4;
 
-/// The most columns that there can be.
+/// The largest number of columns.
 pub(super) const MOST: usize = 1 << 16;
 
-/// Columns of quantities, and the sums and products over them.
+/// The columns of the quantities, and the sums and products over them.
 #[derive(Clone, Debug)]
 pub(super) struct Layout<S, const W: usize> {
     pub stages: Vec<Laid<S, W>>,
@@ -38,7 +38,7 @@ pub(super) struct Laid<S, const W: usize> {
     pub groups: Vec<Group<S, W>>,
     pub quotients: Vec<Implicit<S>>,
     pub roots: Vec<Implicit<S>>,
-    /// Whether there is one of them.
+    /// Whether the stage has quotients, roots or linear equations.
     pub has_implicit: bool,
     pub linear: Option<Box<LinearSeries<S, Checked<S>>>>,
 }
@@ -50,19 +50,19 @@ pub(super) struct Group<S, const W: usize> {
     pub factors: [Selection<W>; 2],
     /// The column of the first product.
     pub first: usize,
-    /// The series of the factors on the left: a_i at i.
+    /// The series of the left factors: a_i at index i.
     pub left: Vec<Packed<S, W>>,
-    /// The series of the factors on the right: b_i at order - i.
+    /// The series of the right factors: b_i at index order - i.
     pub right: Vec<Packed<S, W>>,
 }
 
-/// A quotient or a root.
+/// A quotient or a square root.
 #[derive(Clone, Debug)]
 pub(super) struct Implicit<S> {
     pub column: usize,
     /// The column of the radicand, or of the divisor.
     pub of: usize,
-    /// The column of the numerator, if it is not one.
+    /// The column of the numerator; `None` for a reciprocal.
     pub above: Option<usize>,
     /// The series of the quotient or root, and of the divisor.
     pub series: Vec<[S; 2]>,
@@ -76,7 +76,7 @@ impl<S: Scalar> Implicit<S> {
     }
 }
 
-/// W sums at a time: by columns, each with one coefficient for every sum.
+/// W sums at a time, by columns, each with one coefficient for every sum.
 #[derive(Clone, Debug)]
 pub(super) struct Rows<S, const W: usize> {
     /// The column of the first sum.
@@ -90,7 +90,7 @@ pub(super) struct Block<S, const W: usize> {
     pub constants: Packed<S, W>,
     pub columns: Vec<[u16; CHAINS]>,
     pub factors: Vec<[Packed<S, W>; CHAINS]>,
-    /// The numbers of the coefficients by place.
+    /// The indices of the coefficients by place.
     constant_of: [u32; W],
     factor_of: Vec<[[u32; W]; CHAINS]>,
 }
@@ -98,7 +98,7 @@ pub(super) struct Block<S, const W: usize> {
 const NONE: u32 = u32::MAX;
 
 impl<S: Scalar + Magnitude, const W: usize> Layout<S, W> {
-    /// The layout for series to the given order, without its coefficients.
+    /// The layout for series of the given order, without coefficients.
     pub fn new(plan: &Plan, order: usize) -> Self {
         let mut columns = Places { of: (0..plan.moving as u16).collect(), next: plan.moving.next_multiple_of(W) };
         let mut stages = Vec::new();
@@ -136,7 +136,7 @@ impl<S: Scalar + Magnitude, const W: usize> Layout<S, W> {
         Layout { stages, rates: Rows::new(&plan.rates, 0, &columns) }
     }
 
-    /// Takes the values of the coefficients.
+    /// Sets the coefficients.
     pub fn set(&mut self, values: &[S]) {
         for stage in &mut self.stages {
             stage.sums.set(values);
@@ -147,7 +147,8 @@ impl<S: Scalar + Magnitude, const W: usize> Layout<S, W> {
 }
 
 impl<const W: usize> Layout<f64, W> {
-    /// Takes the series of all factors from a finer field, up to an order and without it, where the last one is to be `order`.
+    /// Copies the series of all factors up to (without) the order `up_to` from a finer type, rounded; `order` is the
+    /// highest order.
     pub fn take<S: Fused>(&mut self, finer: &Layout<S, W>, up_to: usize, order: usize) {
         let round = |own: &mut [Packed<f64, W>], finer: &[Packed<S, W>]| {
             own.iter_mut().zip(finer).for_each(|(own, finer)| own.0 = finer.0.map(S::rounded));
@@ -171,7 +172,7 @@ impl<const W: usize> Layout<f64, W> {
     }
 }
 
-/// The number of columns that a plan takes with groups of W.
+/// The number of columns of a plan with groups of `lanes`.
 pub(super) fn width(plan: &Plan, lanes: usize) -> usize {
     let stage = |stage: &super::plan::Stage| {
         let single = (stage.quotients.len() + stage.roots.len()).next_multiple_of(lanes);
@@ -190,7 +191,7 @@ impl<S: Scalar, const W: usize> Rows<S, W> {
             for &(row, coefficient) in sums.constants.iter().filter(|(row, _)| inside(*row)) {
                 constant_of[row as usize % W] = coefficient;
             }
-            // terms come in the order in which their columns become known
+            // terms are sorted by the time at which their columns become known
             let mut own: Vec<_> = sums.terms.iter().filter(|(row, ..)| inside(*row)).collect();
             own.sort_by_key(|(_, place, _)| columns.of(*place));
             let mut terms: Vec<(u16, [u32; W])> = Vec::new();
@@ -235,7 +236,7 @@ impl Places {
         self.of.get(place as usize).copied().unwrap_or(0)
     }
 
-    /// Columns for these places, filled up to a multiple of W.
+    /// Assigns columns to these places, padded to a multiple of W.
     fn take<const W: usize>(&mut self, places: impl IntoIterator<Item = Slot>) -> usize {
         let first = self.next;
         for (number, place) in places.into_iter().enumerate() {

@@ -1,18 +1,21 @@
-//! Taylor series of the solutions of y' = f(t, y), with f reduced to two kinds of operations: sums and products.
+//! Taylor series of the solutions of y' = f(t, y), computed by sums and Cauchy products.
 //!
-//! For integration with long steps and many digits. The operations of a law are recorded once over expressions; the series can then be
-//! computed in `f64`, double-double, dual numbers and batches, for any values of the parameters.
+//! For integration with long steps and many digits. The operations of a law are recorded once over symbolic
+//! expressions. The series can then be computed in `f64`, double-double, dual numbers and batches, for any values of
+//! the parameters.
 //!
-//! The series of a sum with constant coefficients is the sum of the series. The series of a product is Cauchy's product, (a b)_k =
-//! sum_j a_j b_(k-j). All other operations are reduced to these two. Cosine c and sine s of an angle a become states with c' = -a' s,
-//! s' = a' c. A quotient q = a/b solves (q b)_k = a_k, and a root r of a solves (r r)_k = a_k, each for the last term of the product.
+//! The series of a linear combination is the combination of the series. The series of a product is Cauchy's product, (a
+//! b)_k = sum_j a_j b_(k-j). All other operations are reduced to these two. Cosine c and sine s of an angle a become
+//! states with c' = -a' s, s' = a' c. A quotient q = a/b solves (q b)_k = a_k, and a square root r of a solves (r r)_k
+//! = a_k, each for the last term of the product.
 //!
-//! The unknowns of linear equations are computed order by order with one factorisation of the matrix: see [`algebra::linear`].
+//! The unknowns of linear equations are computed order by order with one LU factorisation of the matrix: see
+//! [`algebra::linear`].
 //!
 //! The cost of a series is the number of products times the square of its order, plus the number of terms of the sums
-//! times the order. Three rules reduce this cost: sums are not split, products of sums are expanded if their parts are
-//! needed elsewhere (slip cos, slip sin), and terms with a common factor are collected. Seven currents, each with the
-//! field at its own angle, then take two products.
+//! times the order. Three rules reduce this cost: sums are not split; products of sums are expanded if their parts are
+//! needed elsewhere (slip cos, slip sin); terms with a common factor are collected. Seven currents, each with the field
+//! at its own angle, then need two products.
 //!
 //! ```
 //! use dalembert_series::{Equations, Recurrence};
@@ -60,30 +63,30 @@ use small::Law;
 use symbolic::linear::Solve;
 use symbolic::{Sym, Tape, Untapeable};
 
-/// y' = f(t, y; parameters) over expressions.
+/// The equations y' = f(t, y; parameters) as symbolic expressions.
 #[derive(Clone, Copy, Debug)]
 pub struct Equations<'a> {
     pub state: &'a [Sym],
-    /// The symbol of time, where the rates depend on it.
+    /// The symbol of time, if the rates depend on it.
     pub time: Option<Sym>,
-    /// Symbols that keep their values during a run.
+    /// Symbols that are constant during a run.
     pub parameters: &'a [Sym],
-    /// One for each state.
+    /// The rate of each state.
     pub rates: &'a [Sym],
-    /// Linear equations in whose unknowns the rates may be written.
+    /// Linear equations whose unknowns may occur in the rates.
     pub solve: Option<&'a Solve>,
 }
 
-/// The right-hand side as sums and products. It is independent of the expression graph, may be sent to other threads,
-/// and serves every value of the parameters: see [`Recurrence::expansion`].
+/// The right-hand side as sums and products. It is independent of the expression graph, can be sent to other threads,
+/// and is valid for all values of the parameters: see [`Recurrence::expansion`].
 #[derive(Clone, Debug)]
 pub struct Recurrence {
     plan: Plan,
-    /// From the parameters to the coefficients of the sums.
+    /// Computes the coefficients of the sums from the parameters.
     coefficients: Tape,
-    /// From state, time and parameters to the circle points, which are states of their own.
+    /// Computes the circle points from state, time and parameters.
     points: Tape,
-    /// The reduction to a small law, where it is small.
+    /// The reduction to a small law, if it is small.
     small: Option<Reduced>,
 }
 
@@ -91,26 +94,26 @@ pub struct Recurrence {
 #[derive(Clone, Debug)]
 struct Reduced {
     law: Law,
-    /// From the parameters to its coefficients.
+    /// Computes its coefficients from the parameters.
     coefficients: Tape,
 }
 
-/// The cost beyond which equations are taken as they are written.
+/// The cost above which equations are not expanded.
 const MOST_MULTIPLIED_OUT: usize = 4_000;
 
 impl Recurrence {
     /// Reduces the equations to sums and products.
     ///
     /// # Errors
-    /// [`Untapeable`] where a symbol is neither state nor time nor parameter, or a function is arbitrary, or where there
-    /// is a division by the constant zero, or not one rate for each state.
+    /// [`Untapeable`] for a symbol that is neither state nor time nor parameter, an arbitrary function, a division by
+    /// the constant zero, or a number of rates different from that of the states.
     pub fn record(equations: &Equations<'_>) -> Result<Self, Untapeable> {
         if equations.rates.len() != equations.state.len() {
             return Err(Untapeable::Shape { rates: equations.rates.len(), states: equations.state.len() });
         }
         let mut best: Option<(usize, Builder<'_>)> = None;
         for multiplied_out in [1, 2, 6] {
-            // multiplied out, long sums of products grow with a higher power
+            // expansion would increase the cost of long sums of products
             if best.as_ref().is_some_and(|(least, _)| *least > MOST_MULTIPLIED_OUT) {
                 break;
             }
@@ -129,12 +132,12 @@ impl Recurrence {
         self.plan.states
     }
 
-    /// The number of columns that an expansion in groups of `W` takes.
+    /// The number of columns of an expansion in groups of `W`.
     pub fn columns<const W: usize>(&self) -> usize {
         layout::width(&self.plan, W)
     }
 
-    /// The number of products of two series, and the number of terms of all sums together.
+    /// The number of products of two series, and the total number of terms of all sums.
     pub fn size(&self) -> (usize, usize) {
         (self.plan.products(), self.plan.terms())
     }

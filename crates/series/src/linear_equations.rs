@@ -1,4 +1,4 @@
-//! Series of unknowns of linear equations, order by order with one factorisation:
+//! Taylor series of the unknowns of linear equations, order by order with one LU factorisation:
 //!
 //!   A_0 z_k = b_k - sum_(l = 1 ... k) A_l z_(k-l) .
 
@@ -8,16 +8,16 @@ use super::plan::{LinearEquations, Quantity};
 use algebra::linear::{Factors, Magnitude, Pattern};
 use field::{Batch, Scalar};
 
-/// A matrix that is factored once for all orders.
+/// A matrix that is factorised once for all orders.
 pub(super) trait Solver<S> {
-    /// Factors for all orders; without factors unknowns are NaN.
+    /// Factorises the matrix; if this fails, unknowns are NaN.
     fn factor(&mut self, entries: &[S]);
 
-    /// The unknowns in the place of the right side.
+    /// Replaces the right-hand side by the unknowns.
     fn solve(&mut self, right: &mut [S]);
 }
 
-/// Factors, and whether there are any.
+/// A factorisation, and whether it succeeded.
 #[derive(Clone, Debug)]
 pub(super) struct Checked<S> {
     factors: Factors<S>,
@@ -45,11 +45,11 @@ impl<S: Magnitude> Solver<S> for Checked<S> {
     }
 }
 
-/// Each lane has pivots of its own: its numbers do not depend on the others.
+/// A factorisation for each lane, with its own pivots: lanes are independent.
 #[derive(Clone, Debug)]
 pub(super) struct LaneEquations<const L: usize> {
     lanes: Vec<Checked<f64>>,
-    /// The numbers of one lane.
+    /// Buffer for the numbers of one lane.
     entries: Vec<f64>,
     right: Vec<f64>,
 }
@@ -80,51 +80,51 @@ impl<const L: usize> Solver<Batch<L>> for LaneEquations<L> {
     }
 }
 
-/// The equations with the series of their entries and unknowns.
+/// The equations, with the series of their entries and unknowns.
 #[derive(Clone, Debug)]
 pub(super) struct LinearSeries<S, F> {
     entries: Vec<Source>,
     right: Vec<Source>,
-    /// Constant entries and right sides: their values by number.
+    /// The values of constant entries and right-hand sides, by index.
     fixed: [Vec<S>; 2],
     /// The column of each unknown.
     unknowns: Vec<usize>,
-    /// The columns of all moving quantities in the equations, and the numbers of the present order.
+    /// The columns of all variable quantities in the equations, and their numbers of the current order.
     columns: Vec<usize>,
     now: Vec<S>,
-    /// Entries that move, column after column of the matrix.
+    /// The variable entries, column by column of the matrix.
     moving: Vec<usize>,
     runs: Vec<Run>,
-    /// Coefficients of the entries that move, order after order.
+    /// The coefficients of the variable entries, order by order.
     series: Vec<S>,
-    /// Coefficients of the unknowns, order after order.
+    /// The coefficients of the unknowns, order by order.
     found: Vec<S>,
     /// The entries of order zero.
     first: Vec<S>,
     solver: F,
 }
 
-/// The source of a number.
+/// The source of an entry.
 #[derive(Clone, Copy, Debug)]
 enum Source {
-    /// The coefficient of this number.
+    /// The coefficient with this index.
     Fixed(u32),
-    /// A moving quantity of the equations.
+    /// A variable quantity of the equations.
     Moving(usize),
 }
 
-/// Entries that move in rows below each other.
+/// Variable entries in consecutive rows of a column.
 #[derive(Clone, Copy, Debug)]
 struct Run {
     column: usize,
     row: usize,
-    /// From and up to, among the entries that move.
+    /// The range among the variable entries.
     from: usize,
     to: usize,
 }
 
 impl<S: Scalar, F: Solver<S>> LinearSeries<S, F> {
-    /// Room for series to an order; `column` says where a quantity stands.
+    /// Buffers for series of an order; `column` gives the column of a quantity.
     pub fn new(plan: &LinearEquations, order: usize, solver: F, column: impl Fn(u32) -> usize) -> Self {
         let mut columns = Vec::new();
         let mut source = |quantity: &Quantity| match *quantity {
@@ -164,7 +164,7 @@ impl<S: Scalar, F: Solver<S>> LinearSeries<S, F> {
         }
     }
 
-    /// Takes the values of the coefficients.
+    /// Sets the coefficients.
     pub fn set(&mut self, values: &[S]) {
         for (fixed, sources) in self.fixed.iter_mut().zip([&self.entries, &self.right]) {
             for (value, source) in fixed.iter_mut().zip(sources) {
@@ -175,20 +175,20 @@ impl<S: Scalar, F: Solver<S>> LinearSeries<S, F> {
         }
     }
 
-    /// Takes the quantities of an order from their columns.
+    /// Reads the quantities of an order from their columns.
     #[inline(always)]
     pub fn read(&mut self, column: impl Fn(usize) -> S) {
         self.now.iter_mut().zip(&self.columns).for_each(|(now, &place)| *now = column(place));
     }
 
-    /// Puts the unknowns of order k into their columns.
+    /// Writes the unknowns of order k into their columns.
     #[inline(always)]
     pub fn write(&self, k: usize, mut column: impl FnMut(usize, S)) {
         let found = &self.found[k * self.unknowns.len()..];
         self.unknowns.iter().zip(found).for_each(|(&place, &unknown)| column(place, unknown));
     }
 
-    /// The unknowns of order k, from the quantities that were read.
+    /// Computes the unknowns of order k from the quantities that were read.
     #[inline(always)]
     fn next(&mut self, k: usize) {
         let size = self.unknowns.len();
@@ -231,7 +231,7 @@ impl<S: Scalar, F: Solver<S>> LinearSeries<S, F> {
     }
 }
 
-/// The unknowns of an order: apart from the loop over the orders, and compiled once for each set of instructions.
+/// The computation of the unknowns of an order, compiled for each instruction set.
 pub(super) struct Next<'a, S: Magnitude> {
     pub series: &'a mut LinearSeries<S, Checked<S>>,
     pub k: usize,
@@ -245,7 +245,7 @@ impl<S: Fused> Task<S> for Next<'_, S> {
 }
 
 impl<const L: usize> LinearSeries<Batch<L>, LaneEquations<L>> {
-    /// The unknowns of order k of every lane, from the quantities that were read.
+    /// Computes the unknowns of order k in every lane.
     #[inline(never)]
     pub fn next_of_lanes(&mut self, k: usize) {
         self.next(k);
@@ -253,7 +253,7 @@ impl<const L: usize> LinearSeries<Batch<L>, LaneEquations<L>> {
 }
 
 impl<F: Solver<f64>> LinearSeries<f64, F> {
-    /// Takes the first orders from a finer field; its own factors are those of the rounded entries.
+    /// Copies the first orders from a finer type, rounded; the factorisation is that of the rounded entries.
     pub fn take<S: Scalar, G>(&mut self, finer: &LinearSeries<S, G>, orders: usize, round: impl Fn(S) -> f64) {
         let known = orders * self.moving.len();
         self.series[..known].iter_mut().zip(&finer.series).for_each(|(own, finer)| *own = round(*finer));

@@ -1,11 +1,11 @@
-//! One order: sums, products, quotients and roots from known numbers.
+//! One order of the series: sums, products, quotients and square roots from known coefficients.
 
 use super::fused::Fused;
 use super::layout::{Block, CHAINS, Group, Implicit, Laid, Packed};
 use super::pick::{Columns, Pick};
 use field::Analytic;
 
-/// sum + a b
+/// sum + a b.
 #[inline(always)]
 pub(super) fn add<P: Pick<S>, S: Fused, const W: usize>(mut sum: [S; W], a: [S; W], b: [S; W]) -> [S; W] {
     for lane in 0..W {
@@ -25,7 +25,7 @@ pub(super) fn together<S: Fused, const W: usize>([mut a, b, mut c, d]: [[S; W]; 
 }
 
 impl<S: Fused, const W: usize> Block<S, W> {
-    /// The sums in order k.
+    /// The sums of order k.
     #[inline(always)]
     pub fn sums<P: Pick<S>, const N: usize>(&self, k: usize, now: &Columns<S, N>) -> [S; W] {
         let mut sums = [[S::zero(); W]; CHAINS];
@@ -43,7 +43,7 @@ impl<S: Fused, const W: usize> Block<S, W> {
 }
 
 impl<S: Fused, const W: usize> Group<S, W> {
-    /// sum_j a_j b_(k-j) with a_k and b_k from the columns: older terms are summed without waiting for them.
+    /// The products sum_j a_j b_(k-j), with a_k and b_k from the columns; older terms are summed independently of them.
     #[inline(always)]
     pub fn products<P: Pick<S>, const N: usize>(
         &mut self,
@@ -55,7 +55,7 @@ impl<S: Fused, const W: usize> Group<S, W> {
         let [a, b] = &self.factors;
         let (newest_a, newest_b) = (pick.pick(now, a), pick.pick(now, b));
         let (left, right) = (&mut self.left[..], &mut self.right[order - k..]);
-        // a is zero from k on, b behind its end: the last chains may go too far
+        // a is zero from k on, b beyond its end: the last chains may exceed the range
         let middle = k.saturating_sub(1).next_multiple_of(CHAINS);
         let mut sums = [[S::zero(); W]; CHAINS];
         for (a, b) in left[1..=middle].chunks_exact(CHAINS).zip(right[1..=middle].chunks_exact(CHAINS)) {
@@ -74,7 +74,8 @@ impl<S: Fused, const W: usize> Group<S, W> {
 }
 
 impl<S: Analytic, const W: usize> Laid<S, W> {
-    /// Rare, and kept out of the loop over the orders, which stays short.
+    /// Computes quotients, roots and linear equations. They are rare and kept out of the loop over the orders, which
+    /// stays short.
     #[inline(never)]
     pub fn implicit(&mut self, k: usize, now: &mut [S]) {
         for each in &mut self.quotients {
@@ -85,7 +86,7 @@ impl<S: Analytic, const W: usize> Laid<S, W> {
 }
 
 impl<S: Analytic> Implicit<S> {
-    /// q_k from (q b)_k = a_k, and q_0 = a_0 / b_0; the reciprocal where nothing stands above.
+    /// The quotient q_k from (q b)_k = a_k with q_0 = a_0 / b_0; the reciprocal for `above` = `None`.
     pub fn quotient(&mut self, k: usize, above: Option<S>, below: S) -> S {
         self.series[k][1] = below;
         let result = if k == 0 {
@@ -100,7 +101,7 @@ impl<S: Analytic> Implicit<S> {
         result
     }
 
-    /// r_k from (r r)_k = a_k, and r_0 the non-negative root of a_0.
+    /// The root r_k from (r r)_k = a_k, where r_0 is the nonnegative root of a_0.
     pub fn root(&mut self, k: usize, newest: S) -> S {
         let result = if k == 0 {
             newest.sqrt()

@@ -1,7 +1,7 @@
-//! Taking numbers from several columns into one group: the factors of the products.
+//! Gathering of numbers from several columns into one group: the factors of products.
 //!
-//! No other work on an order would take longer: loading eight numbers one by one costs as much as all sums. Where the
-//! processor permutes whole registers, two of them hold sixteen columns, and a permutation is one instruction.
+//! Gathering would dominate the cost of an order: loading eight numbers one by one costs as much as all sums. Where the
+//! processor can permute registers, two registers hold sixteen columns, and a permutation is one instruction.
 
 use super::fused::Fused;
 use super::order::add;
@@ -12,7 +12,7 @@ use super::stored::Stored;
 #[repr(align(64))]
 pub(crate) struct Columns<S, const N: usize>(pub [S; N]);
 
-/// W columns to be taken, in two ways of writing.
+/// A selection of W columns, in two representations.
 #[derive(Clone, Debug)]
 pub(crate) struct Selection<const W: usize> {
     columns: [u16; W],
@@ -30,31 +30,31 @@ impl<const W: usize> Selection<W> {
     }
 }
 
-/// A way of taking, and of adding products.
+/// An implementation of gathering and of adding products.
 ///
-/// Functions on eight numbers at a time use loops: a closure is compiled for any processor before it is inlined, and one that
-/// is too long for that would call each instruction.
+/// Functions on eight numbers use loops: a closure is compiled for a generic processor before it is inlined, and a long
+/// one would call each instruction.
 pub(crate) trait Pick<S: Fused>: Copy {
     /// Whether a product and a sum are rounded once.
     const FUSED: bool;
 
     fn pick<const W: usize, const N: usize>(self, from: &Columns<S, N>, selection: &Selection<W>) -> [S; W];
 
-    /// Eight numbers in one register, where there is one so wide.
+    /// Eight numbers in one register, if there is such a register.
     type Eight: Copy;
 
     fn load(self, from: &S::Stored) -> Self::Eight;
 
     fn store(self, eight: Self::Eight) -> S::Stored;
 
-    /// One number in all places.
+    /// A number in all places.
     fn all(self, number: S) -> Self::Eight;
 
-    /// sum + a b
+    /// sum + a b.
     fn plus_product(self, sum: Self::Eight, a: Self::Eight, b: Self::Eight) -> Self::Eight;
 }
 
-/// One by one.
+/// Gathers numbers one by one.
 #[derive(Clone, Copy)]
 pub(crate) struct OneByOne<const FUSED: bool>;
 

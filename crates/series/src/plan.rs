@@ -1,4 +1,4 @@
-//! The order in which sums and products are formed.
+//! The order in which sums and products are computed.
 
 use super::build::{Builder, Definition, Part, Reduction};
 use super::form::Form;
@@ -6,29 +6,29 @@ use algebra::linear::Pattern;
 use rustc_hash::FxHashMap;
 use symbolic::Sym;
 
-/// A quantity in the plan.
+/// A quantity in the plan, by its place.
 pub(super) type Slot = u32;
 
-/// The work of each order: the stages, then the rates.
+/// The operations of each order: the stages, then the rates.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Plan {
-    /// The number of states; their places come first, then time, if it has one, then the circle points.
+    /// The number of states. Their places come first, then time (if used), then the circle points.
     pub states: usize,
     pub time: bool,
     /// The number of places with a rate.
     pub moving: usize,
     pub stages: Vec<Stage>,
-    /// Row i is the rate of place i.
+    /// The rates: row i is the rate of place i.
     pub rates: Sums,
     /// The number of coefficients in the sums.
     pub coefficients: usize,
 }
 
-/// Sums first, which need earlier stages only; then products, which need the sums too.
+/// A stage: sums of results of earlier stages, then products, which may use these sums.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub(super) struct Stage {
     pub sums: Sums,
-    /// The places of the sums, by row.
+    /// The place of each sum.
     pub sum_places: Vec<Slot>,
     pub products: Vec<Product>,
     pub quotients: Vec<Quotient>,
@@ -36,7 +36,7 @@ pub(super) struct Stage {
     pub linear: Option<LinearEquations>,
 }
 
-/// Linear equations, from quantities that stand before them.
+/// Linear equations, whose entries are quantities of earlier stages.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct LinearEquations {
     pub pattern: Pattern,
@@ -45,15 +45,15 @@ pub(super) struct LinearEquations {
     pub unknowns: Vec<Slot>,
 }
 
-/// A number of linear equations.
+/// An entry of linear equations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Quantity {
-    /// A constant: a coefficient, by its number.
+    /// A constant: the index of a coefficient.
     Fixed(u32),
     Moving(Slot),
 }
 
-/// place = a b
+/// The product place = a b.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Product {
     pub place: Slot,
@@ -61,7 +61,7 @@ pub(super) struct Product {
     pub b: Slot,
 }
 
-/// place = above / below; without a numerator the reciprocal
+/// The quotient place = above / below; without a numerator the reciprocal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Quotient {
     pub place: Slot,
@@ -69,16 +69,16 @@ pub(super) struct Quotient {
     pub below: Slot,
 }
 
-/// Row by row, constants and multiples of places; coefficients by their number.
+/// Sums, row by row: constants and multiples of places, with the indices of their coefficients.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub(super) struct Sums {
     pub rows: usize,
     pub constants: Vec<(u32, u32)>,
-    /// row, place, coefficient
+    /// The terms, as (row, place, index of the coefficient).
     pub terms: Vec<(u32, Slot, u32)>,
 }
 
-/// The coefficients, each once.
+/// The distinct coefficients.
 #[derive(Default)]
 pub(super) struct Coefficients {
     pub all: Vec<Sym>,
@@ -116,7 +116,7 @@ impl LinearEquations {
 }
 
 impl Stage {
-    /// The quantities that it brings.
+    /// The places computed by the stage.
     pub fn places(&self) -> impl Iterator<Item = Slot> {
         let products = self.products.iter().map(|product| product.place);
         let quotients = self.quotients.iter().map(|quotient| quotient.place);
@@ -143,7 +143,7 @@ impl Plan {
     pub fn new(builder: &Builder<'_>) -> (Plan, Vec<Sym>) {
         let mut coefficients = Coefficients::default();
         let mut stages: Vec<Stage> = Vec::new();
-        // the stage before which a quantity is ready
+        // the stage before which a quantity is available
         let mut ready = vec![0usize; builder.definitions.len()];
         let used = builder.used();
         for (atom, definition) in builder.definitions.iter().enumerate().filter(|(atom, _)| used[*atom]) {
@@ -182,14 +182,14 @@ impl Plan {
                     here.quotients.push(Quotient { place, above, below: *below as Slot });
                 }
                 Definition::Root(a) => here.roots.push((place, *a as Slot)),
-                // the first brings all of them
+                // the first unknown stands for all of them
                 Definition::Unknown => {
                     let first = builder.reduction.as_ref().filter(|reduction| reduction.first == atom);
                     here.linear =
                         first.map(|reduction| LinearEquations::of(reduction, &mut coefficients)).or(here.linear.take());
                 }
             }
-            // a sum is ready for the products of its own stage
+            // a sum is available to the products of its own stage
             ready[atom] = if matches!(definition, Definition::Sum(_)) { stage } else { stage + 1 };
         }
         let mut rates = Sums::default();
@@ -210,7 +210,7 @@ impl Plan {
         self.stages.iter().map(|stage| stage.products.len() + stage.quotients.len() + stage.roots.len()).sum()
     }
 
-    /// The number of terms of all sums.
+    /// The total number of terms of all sums.
     pub fn terms(&self) -> usize {
         self.stages.iter().map(|stage| &stage.sums).chain([&self.rates]).map(|sums| sums.terms.len()).sum()
     }

@@ -1,12 +1,13 @@
-//! Circle points as states: c' = -a' s, s' = a' c. Elementary functions too: their derivatives consist of their values and arguments.
+//! Circle points as states, c' = -a' s, s' = a' c, and elementary functions, whose derivatives are functions of their
+//! values and arguments.
 
 use super::build::{Builder, Definition};
 use super::form::Form;
 use symbolic::{Node, Sym};
 
 impl Builder<'_> {
-    /// Makes states of all circle points and elementary functions in the rates, in the equations that are solved, and in the
-    /// rates of these states.
+    /// Introduces states for all circle points and elementary functions in the rates, in the linear equations, and in
+    /// the rates of these states.
     pub fn admit_points(&mut self, rates: &mut Vec<Sym>, solved: &[Sym]) {
         let mut fresh = [&rates[..], solved].concat();
         while !fresh.is_empty() {
@@ -38,7 +39,7 @@ impl Builder<'_> {
         }
     }
 
-    /// A state for an expression.
+    /// Introduces a state for an expression.
     fn admit(&mut self, point: Sym, rate: Sym, rates: &mut Vec<Sym>) {
         self.forms.insert(point, Form::atom(self.definitions.len()));
         self.definitions.push(Definition::State);

@@ -1,4 +1,4 @@
-//! Series by stages of sums and products, for laws of any size.
+//! Taylor series by stages of sums and products, for laws of any size.
 
 use super::fused::{Fused, Task};
 use super::layout::{CHAINS, Layout, Packed, Rows};
@@ -12,18 +12,18 @@ use std::ops::Range;
 pub(super) struct Stages<S: Fused, const W: usize, const N: usize> {
     order: usize,
     layout: Layout<S, W>,
-    /// The coefficients of the order at hand of all quantities, by column.
+    /// The coefficients of the current order of all quantities, by column.
     now: Box<Columns<S, N>>,
-    /// Room for the next order: the rates of this one need not wait for each other.
+    /// Buffer for the next order, so that rates are independent of each other.
     then: Box<Columns<S, N>>,
-    /// 1/k
+    /// 1/k for each order.
     reciprocals: Vec<S>,
-    /// For a finer field: the stages of the orders for which the digits of `f64` suffice.
+    /// For a finer type: the stages for the orders for which the digits of `f64` suffice.
     rounded: Option<Box<Stages<f64, W, N>>>,
 }
 
 impl<S: Fused, const W: usize, const N: usize> Stages<S, W, N> {
-    /// For series to the given order, without the coefficients.
+    /// Stages for series of the given order, without coefficients.
     pub fn new(plan: &Plan, order: usize) -> Self {
         let [now, then] = [(); 2].map(|()| Box::new(Columns([S::zero(); N])));
         let reciprocals = (0..=order as i64 + 1).map(|k| if k == 0 { S::zero() } else { S::ratio(1, k) });
@@ -37,7 +37,7 @@ impl<S: Fused, const W: usize, const N: usize> Stages<S, W, N> {
         }
     }
 
-    /// Takes the values of the coefficients.
+    /// Sets the coefficients.
     pub fn set(&mut self, values: &[S]) {
         self.layout.set(values);
         if let Some(rounded) = &mut self.rounded {
@@ -46,7 +46,7 @@ impl<S: Fused, const W: usize, const N: usize> Stages<S, W, N> {
         }
     }
 
-    /// Finds the coefficients after these orders, into the rows of the series.
+    /// Computes the coefficients after each of these orders, and writes them into the rows of the series.
     #[inline(always)]
     fn run<P: Pick<S>, R: From<S>>(&mut self, pick: P, orders: Range<usize>, series: &mut [R], width: usize) {
         let Stages { order, layout, now, then, reciprocals, .. } = self;
@@ -89,7 +89,7 @@ impl<S: Fused, const W: usize, const N: usize> Stages<S, W, N> {
 }
 
 impl<const W: usize, const N: usize> Stages<f64, W, N> {
-    /// Takes over from a finer field after so many orders.
+    /// Copies the first `orders` orders from a finer type, rounded.
     #[inline(always)]
     fn take<S: Fused>(&mut self, layout: &Layout<S, W>, now: &Columns<S, N>, orders: usize) {
         self.layout.take(layout, orders, self.order);
@@ -99,13 +99,13 @@ impl<const W: usize, const N: usize> Stages<f64, W, N> {
     }
 }
 
-/// Expands the solution whose first coefficients stand at the head of the series.
+/// Expands the solution whose first coefficients are in the first row of the series.
 pub(super) struct Expand<'a, S: Fused, const W: usize, const N: usize> {
     pub stages: &'a mut Stages<S, W, N>,
     pub series: &'a mut [S],
     /// The length of one order in the series.
     pub width: usize,
-    /// From the order after this one on the digits of `f64` suffice.
+    /// Coefficients above this order need only the digits of `f64`.
     pub fine: usize,
 }
 

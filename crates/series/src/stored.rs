@@ -1,10 +1,10 @@
-//! Eight numbers as they stand in memory.
+//! Eight numbers in memory.
 
 use super::fused::Fused;
 use field::DoubleDouble;
 use std::fmt::Debug;
 
-/// Eight numbers of a field, ready to be loaded into registers.
+/// Eight numbers of a scalar type, ready to be loaded into registers.
 pub(crate) trait Stored<S>: Copy + Debug {
     fn of(numbers: [S; 8]) -> Self;
 
@@ -12,7 +12,7 @@ pub(crate) trait Stored<S>: Copy + Debug {
 
     fn set(&mut self, lane: usize, number: S);
 
-    /// Rounded to `f64`.
+    /// The numbers rounded to `f64`.
     #[inline(always)]
     fn rounded(&self) -> [f64; 8]
     where
@@ -39,7 +39,7 @@ impl<S: Copy + Debug> Stored<S> for [S; 8] {
     }
 }
 
-/// Eight double-double numbers: the first parts of all, then the rests.
+/// Eight double-double numbers: all high parts, then all low parts.
 #[derive(Clone, Copy, Debug)]
 pub struct Parts {
     pub(super) first: [f64; 8],

@@ -1,11 +1,11 @@
-//! The sum of a series.
+//! Evaluation of a Taylor series.
 
 use super::fused::{Fused, Task};
 use super::pick::Pick;
 use super::stored::Stored;
 
-/// A series by orders, each with `width` numbers, the first of which are the states; up to the order `fine` in all digits of the
-/// field.
+/// The coefficients of a series by orders, each with `width` numbers that begin with the states; coefficients up to the
+/// order `fine` have full precision.
 pub(super) struct Terms<'a, S> {
     pub series: &'a [S],
     pub width: usize,
@@ -14,14 +14,14 @@ pub(super) struct Terms<'a, S> {
     pub fine: usize,
 }
 
-/// The sum of a series at h, W states at a time.
+/// The evaluation of a series at h, W states at a time.
 pub(super) struct Sum<'a, S, const W: usize> {
     pub terms: Terms<'a, S>,
     pub h: S,
     pub out: &'a mut [S],
 }
 
-/// The number of partial sums: Horner's scheme alone would wait for each of its steps.
+/// The number of partial sums: Horner's scheme alone would wait for the result of each step.
 const APART: usize = 4;
 
 impl<S: Fused, const W: usize> Task<S> for Sum<'_, S, W> {
@@ -34,7 +34,7 @@ impl<S: Fused, const W: usize> Task<S> for Sum<'_, S, W> {
         let square = h * h;
         let [h, square, fourth] = [h, square, square * square].map(|power| Pick::<S>::all(pick, power));
         let (terms, over) = (order + 1, (order + 1) % APART);
-        // groups of eight, so many of each order
+        // groups of eight, and their number in each order
         let (groups, each) = (series.as_chunks::<8>().0, width / 8);
         for (first, out) in (0..states.div_ceil(8)).zip(self.out.chunks_mut(8)) {
             let mut sums = [Pick::<S>::all(pick, S::zero()); APART];
@@ -61,8 +61,8 @@ impl<S: Fused, const W: usize> Task<S> for Sum<'_, S, W> {
 }
 
 impl<S: Fused, const W: usize> Sum<'_, S, W> {
-    /// Sums the rounded terms in `f64`, then the others; eight states at a time, with unnormalised low parts. Any layout will
-    /// do; where nothing is rounded the first part is empty.
+    /// Evaluates the rounded terms in `f64`, then the others; eight states at a time, with unnormalised low parts.
+    /// Valid for any layout; without rounded terms the first part is empty.
     #[inline(always)]
     fn in_two_parts<P: Pick<S> + Pick<f64>>(self, pick: P) {
         let Terms { series, width, states, order, fine } = self.terms;
@@ -92,7 +92,7 @@ impl<S: Fused, const W: usize> Sum<'_, S, W> {
     }
 }
 
-/// A few numbers: calling a function that copies memory would take longer.
+/// Copies a few numbers; a call of a memory copy would take longer.
 #[inline(always)]
 pub(super) fn copy<S: Copy, const W: usize>(from: &[S], to: &mut [S]) {
     for (to, from) in to.chunks_mut(W).zip(from.chunks(W)) {

@@ -1,12 +1,12 @@
-//! The halves of a box.
+//! Bisection of a box.
 
 use field::Interval;
 
-/// A side below this part of the longest is not halved before it.
+/// A side shorter than this fraction of the longest one is not bisected before it.
 const SHORT: f64 = 1.0 / 64.0;
 
-/// The halves of a box across the side that limits progress, or else its longest one, each side relative to the domain's; `None` where the box
-/// is small along all sides.
+/// The halves of a box across the side `blamed` for slow progress, or else across its longest side, relative to the
+/// domain. `None` where all sides are at most `smallest`.
 pub fn halves(
     at: &[Interval],
     domain: &[Interval],
@@ -18,7 +18,7 @@ pub fn halves(
         whole => at[k].width() / whole,
     };
     let longest = (0..at.len()).max_by(|&a, &b| part(a).total_cmp(&part(b)))?;
-    // halving a side that is short already does not help
+    // bisecting a side that is already short does not help
     let side = blamed.filter(|&k| part(k) > smallest && part(k) > SHORT * part(longest)).unwrap_or(longest);
     let (whole, middle) = (at[side], at[side].middle());
     if part(longest) < smallest || !(whole.low() < middle && middle < whole.high()) {

@@ -1,12 +1,14 @@
-//! All zeros of nonlinear equations in a box, none missing: branch and prune with Newton's method over intervals.
+//! All zeros of nonlinear equations in a box, with a proof of completeness: branch and prune with interval Newton
+//! methods.
 //!
-//! A box in which an equation has no zero is left out, by propagation through each equation alone where there is one. In the other boxes Newton's
-//! method over intervals (Hansen and Sengupta 1981) keeps the part where zeros may be; Krawczyk's operator K shows that there is one and no other,
+//! A box in which an equation has no zero is discarded; propagation through single equations narrows boxes. The
+//! interval Newton method (Hansen and Sengupta 1981) then keeps the part that may contain zeros. Krawczyk's operator K
+//! proves that a box contains exactly one zero:
 //!
 //!   K(X) = m - C f(m) + (1 - C f'(X)) (X - m) inside X ,    C about f'(m)^-1 .
 //!
-//! A box that can neither be left out nor shown to hold one zero is halved; boxes at the smallest size are reported as
-//! undecided.
+//! A box that can be neither discarded nor proved to contain one zero is bisected. Boxes of the smallest size are
+//! reported as undecided.
 
 mod existence;
 mod halves;
@@ -20,30 +22,30 @@ pub use search::{Found, Limits, Zero, zeros};
 
 use field::Interval;
 
-/// Equations over intervals, as many as unknowns.
+/// A system of as many equations as unknowns, over intervals.
 pub trait Equations {
-    /// The number of unknowns along which boxes are halved; they stand first.
+    /// The number of unknowns along which boxes are bisected; they come first.
     fn divided(&self) -> usize;
 
-    /// The number of unknowns that the others determine.
+    /// The number of unknowns that are functions of the others.
     fn determined(&self) -> usize {
         0
     }
 
-    /// Narrows a box of all unknowns to the part in which zeros may be, the determined ones from everything; false where
-    /// there are none.
+    /// Narrows a box of all unknowns to a part that contains all zeros; the determined unknowns begin unbounded.
+    /// Returns false where there is no zero.
     fn narrow(&mut self, _at: &mut [Interval]) -> bool {
         true
     }
 
-    /// Bounds for the determined unknowns of a box, which stand behind the others; false where these do not bound them.
+    /// Bounds the determined unknowns of a box, which come last. Returns false where there are no bounds.
     fn bound(&mut self, _at: &mut [Interval]) -> bool {
         true
     }
 
-    /// The ranges of all equations over a box.
+    /// Writes the ranges of all equations over a box.
     fn values(&mut self, at: &[Interval], values: &mut [Interval]);
 
-    /// The ranges of their derivatives, row after row.
+    /// Writes the ranges of the derivatives, row by row.
     fn slopes(&mut self, at: &[Interval], slopes: &mut [Interval]);
 }

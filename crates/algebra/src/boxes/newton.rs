@@ -1,21 +1,21 @@
-//! The part of a box in which zeros may be, by Newton's method with a preconditioned matrix.
+//! The preconditioned interval Newton method.
 
 use super::Equations;
 use field::Interval;
 use nalgebra::DMatrix;
 
-/// The linearisation of equations over a box: f at the middle, f' over the box, and a matrix C near the inverse of f'
-/// at the middle.
+/// The linearisation of equations over a box X with the midpoint m: a matrix C near the inverse of f'(m), with
+/// products.
 pub(super) struct Local {
     pub middle: Vec<f64>,
-    /// C f(m)
+    /// C f(m).
     pub step: Vec<Interval>,
-    /// C f'(X), row after row.
+    /// C f'(X), row by row.
     pub slopes: Vec<Interval>,
 }
 
 impl Local {
-    /// `None` where f' has no inverse about the middle, or no bounds.
+    /// The linearisation; `None` where f'(m) is singular or f' is unbounded.
     pub fn of(equations: &mut dyn Equations, at: &[Interval]) -> Option<Self> {
         let n = at.len();
         let mut slopes = vec![Interval::EVERYTHING; n * n];
@@ -25,7 +25,7 @@ impl Local {
         Local::new(at, &values, |row, column| slopes[row * n + column])
     }
 
-    /// From the values at the middles of a box's unknowns, and the derivatives over the box.
+    /// The linearisation from the values at the midpoint and the derivatives over the box.
     pub fn new(at: &[Interval], values: &[Interval], slope: impl Fn(usize, usize) -> Interval) -> Option<Self> {
         let n = at.len();
         if (0..n * n).any(|place| !slope(place / n, place % n).size().is_finite()) {
@@ -43,7 +43,7 @@ impl Local {
         })
     }
 
-    /// The part of a box that may hold zeros; `None` where there is no such part.
+    /// The part of a box that may contain zeros (Hansen and Sengupta); `None` where there is none.
     pub fn narrowed(&self, at: &[Interval]) -> Option<Vec<Interval>> {
         let n = at.len();
         let mut left = at.to_vec();
@@ -61,7 +61,7 @@ impl Local {
         Some(left)
     }
 
-    /// Krawczyk's operator on the box.
+    /// Krawczyk's operator K(X) on the box.
     pub fn krawczyk(&self, at: &[Interval]) -> Vec<Interval> {
         let n = at.len();
         let entry = |i: usize, j: usize| {

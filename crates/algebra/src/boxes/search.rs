@@ -1,4 +1,4 @@
-//! The search: boxes one after the other, the largest first.
+//! The branch-and-prune search, largest boxes first.
 
 use super::existence::shown;
 use super::halves::halves;
@@ -8,42 +8,42 @@ use super::{Equations, subsystem};
 use field::Interval;
 use std::collections::VecDeque;
 
-/// A zero: the only one in a box.
+/// A zero, unique in a box.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Zero {
-    /// The zero, enclosed as narrowly as rounding allows.
+    /// The enclosure of the zero, as narrow as rounding allows.
     pub enclosure: Vec<Interval>,
-    /// A box about it with no other zero.
+    /// A box around it without other zeros.
     pub alone: Vec<Interval>,
 }
 
 /// The limits of a search.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// The most boxes that are examined.
+    /// The largest number of boxes examined.
     pub boxes: usize,
-    /// The part of the first box, along each unknown, below which a box is not halved.
+    /// The size, as a fraction of the domain along each unknown, below which a box is not bisected.
     pub smallest: f64,
 }
 
-/// The result of a search: every zero of the box is one of these, or in one of the undecided boxes.
+/// The result of a search: every zero in the domain is in `zeros` or in one of the undecided boxes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Found {
-    /// The zeros; some may lie beyond the box, near its sides.
+    /// The proved zeros; some may lie just outside the domain.
     pub zeros: Vec<Zero>,
-    /// Boxes in which there may be further zeros.
+    /// Boxes that may contain further zeros.
     pub undecided: Vec<Vec<Interval>>,
     /// The number of boxes examined.
     pub examined: usize,
 }
 
-/// A box that is narrowed below this part is narrowed again instead of being halved.
+/// A box narrowed to less than this fraction is narrowed again before it is bisected.
 pub(super) const WORTH: f64 = 0.75;
 
 /// The number of boxes between two calls of `goes_on`.
 const BETWEEN: usize = 16;
 
-/// All zeros in a box of the first unknowns; the search ends early where `goes_on` says so.
+/// All zeros in the box `domain` of the first unknowns. The search stops early when `goes_on` returns false.
 pub fn zeros(
     equations: &mut dyn Equations,
     domain: &[Interval],
@@ -51,7 +51,7 @@ pub fn zeros(
     mut goes_on: impl FnMut() -> bool,
 ) -> Found {
     let (n, all) = (equations.divided(), equations.divided() + equations.determined());
-    // where equations have no values, sides could be narrowed without end
+    // where equations are undefined, narrowing might never end
     let least: Vec<f64> = domain.iter().map(|side| limits.smallest * side.width()).collect();
     let (mut found, mut worth) = (Found::default(), Worth::default());
     let mut first = domain.to_vec();
@@ -73,7 +73,7 @@ pub fn zeros(
             },
         }
     }
-    // a zero that was shown later may be the only one where nothing was decided before
+    // a zero proved later may be the only one in a box that was undecided
     let Found { zeros, undecided, .. } = &mut found;
     let is_part = |at: &[Interval], zero: &Zero| {
         at.len() == zero.alone.len() && at.iter().zip(&zero.alone).all(|(at, alone)| at.is_part_of(*alone))
@@ -83,14 +83,14 @@ pub fn zeros(
     found
 }
 
-/// The part of a box that is not decided yet.
+/// The undecided part of a box.
 enum Left {
     One(Vec<Interval>),
-    /// The parts by the sign of a determined unknown.
+    /// Two parts, by the sign of a determined unknown.
     OfSigns([Vec<Interval>; 2]),
 }
 
-/// The part of a box that is still open; `None` where all of it is decided.
+/// The undecided part of a box; `None` where all of it is decided. Adds proved zeros.
 fn examined(
     equations: &mut dyn Equations,
     mut at: Vec<Interval>,
@@ -147,7 +147,7 @@ fn examined(
     }
 }
 
-/// Whether two zeros are equal: the enclosure of one lies where the other is alone, and both overlap.
+/// Whether two zeros are equal: their enclosures overlap, and one lies in the box where the other is unique.
 fn is_same(known: &Zero, other: &Zero) -> bool {
     let meets = known.enclosure.iter().zip(&other.enclosure).all(|(a, b)| a.and(*b).is_some());
     let within = |a: &[Interval], b: &[Interval]| a.iter().zip(b).all(|(a, b)| a.is_part_of(*b));
@@ -158,7 +158,7 @@ fn is_same(known: &Zero, other: &Zero) -> bool {
 mod tests {
     use super::*;
 
-    /// Equations by functions of intervals.
+    /// A test system given by interval functions.
     struct Given<const N: usize> {
         values: fn([Interval; N]) -> [Interval; N],
         slopes: fn([Interval; N]) -> [[Interval; N]; N],
@@ -210,7 +210,7 @@ mod tests {
 
     #[test]
     fn zeros_on_the_sides_of_halves_are_found_once() {
-        // at -1, 0 and 1: the middle of the box is one of them
+        // zeros -1, 0 and 1; the midpoint of the box is a zero
         let mut given =
             Given::<1> { values: |[x]| [x * x * x - x], slopes: |[x]| [[number(3.0) * x * x - number(1.0)]] };
         let found = zeros(&mut given, &[Interval::new(-2.0, 2.0)], LIMITS, || true);
@@ -219,7 +219,7 @@ mod tests {
 
     #[test]
     fn a_zero_at_the_side_of_two_halves_is_decided_where_values_have_rounding() {
-        // the middle of the box is a zero
+        // the midpoint of the box is a zero
         let mut given = Given::<1> {
             values: |[x]| [Interval::new(-3e-16, 1e-16) + x * (number(1.0) - x * x * number(0.015625))],
             slopes: |[x]| [[number(1.0) - number(0.046875) * x * x]],
@@ -258,7 +258,7 @@ mod tests {
         let mut narrowing = Narrowing(0);
         let found = zeros(&mut narrowing, &[Interval::new(-1.0, 2.0)], LIMITS, || true);
         assert!(found.zeros.is_empty() && found.undecided.len() == 1, "{found:?}");
-        // down to a millionth of the range and no further
+        // down to a millionth of the range, and not below
         assert!(narrowing.0 < 60, "{}", narrowing.0);
     }
 

@@ -1,30 +1,30 @@
-//! Splits a box by the sign of a determined unknown: a product whose interval excludes zero bounds one factor from
-//! below once the sign of the other is fixed, and bounds neither factor while both signs are possible.
+//! Splitting of a box by the sign of a determined unknown. A product whose interval excludes zero bounds one factor
+//! from below once the sign of the other is fixed, but bounds neither while both signs are possible.
 
 use super::Equations;
 use super::search::WORTH;
 use field::Interval;
 
-/// A box by the signs of its determined unknowns.
+/// The result of splitting a box by the signs of its determined unknowns.
 pub(super) enum Signs {
-    /// Without zeros.
+    /// The box contains no zeros.
     None,
-    /// Narrowed to the hull of the parts of both signs, which are not worth separate boxes.
+    /// The box was narrowed to the hull of both parts; separate boxes do not pay.
     One,
-    /// Each sign of an unknown bounds it, or leaves a much smaller box.
+    /// Separate boxes for both signs, which bound an unknown or are much smaller.
     Both([Vec<Interval>; 2]),
 }
 
-/// The number of boxes that are split by signs in any case.
+/// The number of boxes that are split in any case.
 const FIRST: usize = 64;
 
-/// Beyond them boxes are split while at least one in so many gained by it.
+/// Afterwards boxes are split while at least one of so many splits has paid.
 const GAINS: usize = 8;
 
-/// Otherwise one box in so many is split.
+/// Otherwise one of so many boxes is split.
 const SELDOM: usize = 32;
 
-/// The gain by splits in a search.
+/// The statistics of splits in a search.
 #[derive(Default)]
 pub(super) struct Worth {
     asked: usize,
@@ -33,7 +33,7 @@ pub(super) struct Worth {
 }
 
 impl Worth {
-    /// Narrows a box by both signs of each determined unknown without bounds, where splits have gained enough.
+    /// Narrows a box by both signs of each unbounded determined unknown, while splits pay.
     pub fn by_signs(&mut self, equations: &mut dyn Equations, at: &mut [Interval]) -> Signs {
         self.asked += 1;
         if self.seen >= FIRST && self.gained * GAINS < self.seen && !self.asked.is_multiple_of(SELDOM) {
@@ -57,7 +57,7 @@ fn by_signs(equations: &mut dyn Equations, at: &mut [Interval]) -> Signs {
         let cases = signs.map(|sign| {
             let mut case = at.to_vec();
             case[k] = at[k].and(sign)?;
-            // the second pass bounds the other factor from the bounds that the first pass found
+            // the second pass uses the bounds of the first for the other factor
             (equations.narrow(&mut case) && equations.narrow(&mut case)).then_some(case)
         });
         match cases {

@@ -1,12 +1,13 @@
-//! Boxes in which some unknowns have no bounds yet: equations without them narrow the others, if there are as many such equations.
+//! Narrowing of a box in which some unknowns are still unbounded, by a subsystem of equations that do not depend on
+//! them.
 
 use super::Equations;
 use super::newton::Local;
 use field::Interval;
 use nalgebra::DMatrix;
 
-/// The part that may hold zeros of a box whose unknowns from `bounded` on have any value; `None` where there is no such
-/// part.
+/// The part of a box that may contain zeros, for any values of the unknowns from index `bounded` on; `None` where there
+/// is none.
 pub(super) fn narrowed(equations: &mut dyn Equations, at: &[Interval], bounded: usize) -> Option<Vec<Interval>> {
     let n = at.len();
     let mut slopes = vec![Interval::EVERYTHING; n * n];
@@ -20,7 +21,7 @@ pub(super) fn narrowed(equations: &mut dyn Equations, at: &[Interval], bounded: 
     let Some(columns) = pivots(&rows, bounded, |row, column| slopes[row * n + column].middle()) else {
         return Some(at.to_vec());
     };
-    // the other unknowns keep their ranges, those without bounds play no part
+    // the unbounded unknowns do not enter, the others keep their ranges
     let mut about = at.to_vec();
     columns.iter().for_each(|&column| about[column] = Interval::point(at[column].middle()));
     let mut values = vec![Interval::EVERYTHING; n];
@@ -35,7 +36,7 @@ pub(super) fn narrowed(equations: &mut dyn Equations, at: &[Interval], bounded: 
     Some(all)
 }
 
-/// A column for each row, with the largest remaining pivot; `None` where one is zero.
+/// Assigns to each row a column with the largest remaining pivot; `None` where a pivot is zero.
 fn pivots(rows: &[usize], columns: usize, entry: impl Fn(usize, usize) -> f64) -> Option<Vec<usize>> {
     let m = rows.len();
     if m == 0 || m > columns {

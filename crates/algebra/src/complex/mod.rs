@@ -1,9 +1,9 @@
-//! Zeros of polynomials in the complex plane, each in a rectangle that holds it and no other.
+//! Complex zeros of polynomials, each in a rectangle that contains no other zero.
 //!
 //! # Overview
-//! * [`Rectangle`]: a complex number between multiples of a power of two, rounded outwards;
-//! * [`zeros()`]: all zeros of a polynomial with enclosed coefficients, each in a proved rectangle, for every polynomial
-//!   in the enclosures.
+//! * [`Rectangle`]: an enclosure of a complex number, with ends that are multiples of a power of two;
+//! * [`zeros()`]: all zeros of a polynomial with enclosed coefficients, each in a rectangle, proved for every
+//!   polynomial in the enclosures.
 //!
 //! ```
 //! use dalembert_algebra::complex::zeros;

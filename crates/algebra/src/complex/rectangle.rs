@@ -1,9 +1,9 @@
-//! Complex numbers in rectangles.
+//! Rectangular enclosures of complex numbers.
 
 use crate::real::Enclosure;
 use std::ops::{Add, Mul, Sub};
 
-/// A complex number. Every operation rounds outwards: the result holds every value that the operands allow.
+/// An enclosure of a complex number. Operations round outwards: the result contains all values for all operands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rectangle {
     pub re: Enclosure,
@@ -11,7 +11,7 @@ pub struct Rectangle {
 }
 
 impl Rectangle {
-    /// A real number.
+    /// The enclosure of a real number.
     pub fn real(re: Enclosure, bits: usize) -> Self {
         Rectangle { re, im: Enclosure::integer(0, bits) }
     }
@@ -21,14 +21,14 @@ impl Rectangle {
         &(&self.re * &self.re) + &(&self.im * &self.im)
     }
 
-    /// The quotient, `None` where the divisor may be zero.
+    /// The quotient; `None` where the divisor may be zero.
     pub fn over(&self, divisor: &Self) -> Option<Self> {
         let size = divisor.square();
         let product = self * &Rectangle { re: divisor.re.clone(), im: -&divisor.im };
         Some(Rectangle { re: product.re.over(&size)?, im: product.im.over(&size)? })
     }
 
-    /// The number in the middle of the rectangle.
+    /// The midpoint of the rectangle.
     pub fn middle(&self) -> Self {
         Rectangle { re: self.re.middle(), im: self.im.middle() }
     }

@@ -1,34 +1,33 @@
-//! All zeros of a polynomial, found by Weierstrass' iteration and proved by Smith's discs.
+//! All zeros of a polynomial: approximated by Weierstrass' iteration, proved by Smith's discs.
 //!
-//! Let p be monic of degree n, z_1 .. z_n any different numbers, and w_i = p(z_i) / prod_(j != i) (z_i - z_j). The zeros of
-//! p are the eigenvalues of diag(z) - w 1^T: by Gershgorin the discs about z_i with the radii n |w_i| hold all of them, and
-//! a disc apart from the others holds exactly one (Smith 1970). The z_i may be found in any way. With enclosed coefficients
-//! p(z_i) is enclosed, and the statement holds for every polynomial in the enclosures.
+//! Let p be monic of degree n, z_1 .. z_n distinct numbers, and w_i = p(z_i) / prod_(j != i) (z_i - z_j). The zeros of
+//! p are the eigenvalues of diag(z) - w 1^T. By Gershgorin's theorem the discs about z_i with the radii n |w_i| contain
+//! all zeros, and a disc disjoint from the others contains exactly one (Smith 1970), however the z_i were obtained.
+//! With enclosed coefficients the statement holds for every polynomial in the enclosures.
 //!
-//! A disc whose centre is real is its own mirror image: if it is apart from the others its zero is real.
+//! A disc with a real centre is symmetric: if it is disjoint from the others, its zero is real.
 
 use super::Rectangle;
 use crate::real::Enclosure;
 
-/// A zero that is simple.
+/// A simple zero.
 #[derive(Clone, Debug)]
 pub struct Zero {
     pub at: Rectangle,
-    /// Proved to be real: then `at.im` is zero.
+    /// Whether the zero is proved to be real; then `at.im` is zero.
     pub real: bool,
 }
 
-/// Rounds of the iteration in floats, which converges from any start but slowly at first.
+/// The number of iterations in double precision; convergence is global but slow at first.
 const FLOATING: usize = 400;
-/// Rounds of the iteration in long numbers; each doubles the number of correct digits.
+/// The number of iterations in long arithmetic; each doubles the number of correct digits.
 const LONG: usize = 12;
-/// Relative size of an imaginary part below which a zero is tried as real: then this is proved, or the zero is not
-/// found.
+/// An imaginary part smaller than this, relative to the zero, is set to zero; the proof then decides.
 const FLAT: f64 = 1e-20;
 
-/// Every zero of a polynomial, coefficients from the constant upwards, as real polynomials have them: in conjugate pairs
-/// or real. `None` where they cannot be separated with these bits: zeros that coincide or nearly do, a leading
-/// coefficient that may vanish.
+/// All zeros of a real polynomial, with coefficients from the constant upwards: real ones and conjugate pairs. `None`
+/// where the precision does not separate them (zeros that coincide or nearly do), or the leading coefficient may
+/// vanish.
 pub fn zeros(coefficients: &[Enclosure]) -> Option<Vec<Zero>> {
     let (lead, rest) = coefficients.split_last()?;
     let bits = coefficients.iter().map(Enclosure::bits).min()?;
@@ -50,7 +49,7 @@ pub fn zeros(coefficients: &[Enclosure]) -> Option<Vec<Zero>> {
     proved(&monic, &centres, bits)
 }
 
-/// The discs, where all of them are apart.
+/// The zeros, if all discs are disjoint.
 fn proved(monic: &[Enclosure], centres: &[Rectangle], bits: usize) -> Option<Vec<Zero>> {
     let degree = Enclosure::integer(centres.len() as i64, bits);
     let zero = Enclosure::integer(0, bits);
@@ -73,7 +72,7 @@ fn proved(monic: &[Enclosure], centres: &[Rectangle], bits: usize) -> Option<Vec
     each.collect()
 }
 
-/// w_i at the centres.
+/// The number w_i at the centres.
 fn weierstrass(monic: &[Enclosure], centres: &[Rectangle], i: usize) -> Option<Rectangle> {
     let (at, bits) = (&centres[i], centres[i].re.bits());
     let one = Rectangle::real(Enclosure::integer(1, bits), bits);
@@ -82,7 +81,7 @@ fn weierstrass(monic: &[Enclosure], centres: &[Rectangle], i: usize) -> Option<R
     value.over(&others.fold(one, |product, (_, other)| &product * &(at - other)))
 }
 
-/// The iteration in floats, the unknown scaled so that no zero is larger than two.
+/// The iteration in double precision, scaled such that no zero is larger than two.
 fn floating(monic: &[Enclosure]) -> Option<Vec<[f64; 2]>> {
     let n = monic.len();
     let size = |k: usize| monic[k].to_f64().abs().powf(1.0 / (n - k) as f64);
@@ -92,7 +91,7 @@ fn floating(monic: &[Enclosure]) -> Option<Vec<[f64; 2]>> {
     }
     let scaled: Vec<f64> = (0..n).map(|k| monic[k].to_f64() / scale.powi((n - k) as i32)).collect();
     let product = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a * c - b * d, a * d + b * c];
-    // starting points without the symmetries of the zeros
+    // starting points without symmetry
     let mut z: Vec<[f64; 2]> = (0..n)
         .map(|i| {
             let (sin, cos) = (0.4 + std::f64::consts::TAU * i as f64 / n as f64).sin_cos();

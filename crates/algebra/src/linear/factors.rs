@@ -1,4 +1,4 @@
-//! Factors of a matrix: a lower times an upper triangular one, with its rank.
+//! LU factorisation of sparse matrices, with rank.
 
 use super::magnitude::{Kind, Magnitude};
 use super::order::{Order, Step};
@@ -6,20 +6,19 @@ use super::pattern::Pattern;
 use std::fmt;
 use std::sync::Arc;
 
-/// The relative size of pivots below which they are rounding.
+/// Pivots below this relative size are rounding.
 const RANK: f64 = 1e-11;
 
-/// The largest factor by which a scaled pivot row may be subtracted in the order of the pattern; beyond it the largest
-/// entries become pivots.
-/// largest entries are pivots.
+/// The largest multiple of a scaled pivot row in the elimination order of the pattern. If it is exceeded, pivots are
+/// chosen by size.
 const MOST_TIMES: f64 = 1e3;
 
-/// Why equations have no solution.
+/// The reason why equations have no solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NotSolved {
-    /// Nothing determines this unknown.
+    /// The unknown with this index is undetermined.
     Undetermined(usize),
-    /// An entry has no value.
+    /// An entry is NaN.
     NotANumber,
 }
 
@@ -34,29 +33,29 @@ impl fmt::Display for NotSolved {
 
 impl std::error::Error for NotSolved {}
 
-/// The factors of a matrix with a pattern, and room for them: factoring and solving allocate nothing.
+/// The factorisation of a matrix with a given pattern, and its buffers: factoring and solving do not allocate.
 #[derive(Clone, Debug)]
 pub struct Factors<S> {
     determined: usize,
     places: Vec<(usize, usize)>,
     order: Arc<Order>,
-    /// Row after row by places: factors of eliminated rows below the diagonal, the remaining entries elsewhere.
+    /// The matrix row by row, in elimination order: multipliers below the diagonal, the upper factor elsewhere.
     matrix: Vec<S>,
-    /// Scale factors of rows and columns, by places: powers of two near one over the root of the largest entry; rows
-    /// and columns of a matrix with equal rows and columns share them.
+    /// The scale factors of rows and columns, in elimination order: powers of two near the inverse square root of the
+    /// largest entry. For a symmetric matrix rows and columns have equal factors.
     scales: [Vec<f64>; 2],
     way: Way,
-    /// The row and the column at each place, where pivots were chosen by size.
+    /// The rows and the columns in elimination order, where pivots were chosen by size.
     by_size: [Vec<usize>; 2],
-    /// Room for numbers by places.
+    /// Buffer for reordered numbers.
     moved: Vec<S>,
 }
 
-/// The choice of pivots.
+/// The choice of pivots in the last factorisation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Way {
     InOrder,
-    /// By size, with the number of pivots that are not zero.
+    /// By size, with the rank of the matrix.
     BySize {
         rank: usize,
     },
@@ -64,7 +63,7 @@ enum Way {
 }
 
 impl<S: Magnitude> Factors<S> {
-    /// Room for matrices with a pattern.
+    /// Buffers for matrices with a pattern.
     pub fn new(pattern: &Pattern) -> Self {
         let size = pattern.size();
         Factors {
@@ -79,10 +78,10 @@ impl<S: Magnitude> Factors<S> {
         }
     }
 
-    /// Factors the matrix with these entries, in the order of the pattern.
+    /// Factorises the matrix with the given entries, in the order of the pattern.
     ///
     /// # Errors
-    /// An unknown that must be determined and is not, if there is one, or a missing number.
+    /// [`NotSolved`] where an unknown that must be determined is not, or an entry is NaN.
     #[inline(always)]
     pub fn factor(&mut self, entries: &[S]) -> Result<(), NotSolved> {
         self.load(entries);
@@ -112,7 +111,7 @@ impl<S: Magnitude> Factors<S> {
         }
     }
 
-    /// Whether the pivots in the order of the pattern are large enough.
+    /// Eliminates in the order of the pattern. Returns whether all pivots are large enough.
     #[inline(always)]
     fn in_order(&mut self) -> bool {
         let size = self.moved.len();
@@ -147,7 +146,7 @@ impl<S: Magnitude> Factors<S> {
         true
     }
 
-    /// Factors with the largest entry of the rest as the next pivot.
+    /// Factorises with the largest remaining entry as the next pivot.
     #[inline(never)]
     fn factor_by_size(&mut self, entries: &[S]) -> Result<(), NotSolved> {
         self.load(entries);
@@ -174,7 +173,7 @@ impl<S: Magnitude> Factors<S> {
             }
             let least = if S::KIND == Kind::Rounded { RANK * first } else { 0.0 };
             if largest <= least {
-                // the free unknowns, and whether the equations agree, would differ among the enclosed matrices
+                // the free unknowns, and the consistency of the equations, might differ among the enclosed matrices
                 if S::KIND == Kind::Enclosed {
                     return Err(NotSolved::Undetermined(columns[k]));
                 }
@@ -204,7 +203,7 @@ impl<S: Magnitude> Factors<S> {
                 }
             }
         }
-        // a column without pivot may stay free only where the unknown need not be determined
+        // only unknowns that need not be determined may be free
         if let Some(&free) = columns[rank..].iter().find(|column| **column < self.determined) {
             return Err(NotSolved::Undetermined(free));
         }
@@ -212,7 +211,7 @@ impl<S: Magnitude> Factors<S> {
         Ok(())
     }
 
-    /// Replaces the right side by the unknowns, with the last factors; without factors nothing changes.
+    /// Replaces the right-hand side by the solution with the last factorisation; without one it is unchanged.
     #[inline(always)]
     pub fn solve(&mut self, right: &mut [S]) {
         let size = self.moved.len();
@@ -260,7 +259,7 @@ impl<S: Magnitude> Factors<S> {
                 *rest = rest.less_product(matrix[(k + 1 + row) * size + k], above[k]);
             }
         }
-        // unknowns without a pivot are set to zero
+        // free unknowns are zero
         moved[rank..].fill(S::zero());
         for k in (0..rank).rev() {
             let row = &matrix[k * size..][..size];
@@ -273,7 +272,8 @@ impl<S: Magnitude> Factors<S> {
     }
 }
 
-/// One over the root of a size, as a power of two: by the exponent of the size, whose logarithm would cost as much as a small elimination.
+/// The inverse square root of a size, rounded to a power of two by its exponent: a logarithm would cost as much as a
+/// small elimination.
 #[inline(always)]
 fn measure(largest: f64) -> f64 {
     const BIAS: i64 = 1023;

@@ -1,25 +1,25 @@
-//! The size of a number, by which pivots are chosen.
+//! The magnitude of scalars, for the choice of pivots.
 
 use crate::real::{Model, Rounded};
 use field::{Batch, DoubleDouble, Rational, Scalar, Tangent};
 
-/// The meaning of the numbers of a field.
+/// The precision of a scalar type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// A value up to rounding: a number that is small beside the largest pivot is zero.
+    /// Rounded values: a number that is small compared with the largest pivot counts as zero.
     Rounded,
-    /// The exact value: a number that is not zero is a pivot.
+    /// Exact values: every nonzero number is a pivot.
     Exact,
-    /// All values between two ends: an interval without zero is a pivot, and every unknown needs one.
+    /// Enclosures: an interval without zero is a pivot, and every unknown needs one.
     Enclosed,
 }
 
-/// A field whose numbers have a size.
+/// A scalar type with a magnitude.
 pub trait Magnitude: Scalar {
     const KIND: Kind = Kind::Rounded;
 
-    /// |x| to a few digits, without derivatives; zero for zero alone, NaN where there is no value. For an enclosure the least
-    /// size of its values, zero where zero is among them.
+    /// |x| to a few digits, without derivatives: zero only for zero, NaN where undefined. For an enclosure the smallest
+    /// magnitude of its values, zero if it contains zero.
     fn magnitude(self) -> f64;
 }
 
@@ -37,7 +37,7 @@ impl<const D: usize> Magnitude for num_dual::DualSVec64<D> {
     }
 }
 
-/// The tangent of numbers with the same value in every lane, each with a slope of its own.
+/// Dual numbers with one value and a separate derivative in each lane.
 impl<const L: usize> Magnitude for Tangent<Batch<L>> {
     #[inline(always)]
     fn magnitude(self) -> f64 {

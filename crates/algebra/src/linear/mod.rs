@@ -1,17 +1,17 @@
-//! Linear equations with numbers of any field: determinants by minors, and factors of sparse symmetric matrices.
+//! Linear equations over any scalar type: determinants by minors, and LU factorisation of sparse symmetric matrices.
 //!
 //! # Overview
-//! * [`determinant`] and [`minors`]: no division and no pivot, up to [`LARGEST`] unknowns;
-//! * [`Factors`]: A z = b by elimination, in an order that the [`Pattern`] of A gives, and where the pivots of this
-//!   order are too small, by the largest entry of the rest. The order depends on the pattern alone, the choice between
-//!   both ways on the entries alone: equal entries give equal bits;
-//! * [`Magnitude`]: the size of a number, by which pivots are chosen;
-//! * [`nonnegative_combination`]: a column as an exact combination of others with factors that are not negative.
+//! * [`determinant`] and [`minors`]: without divisions and pivots, up to [`LARGEST`] unknowns;
+//! * [`Factors`]: A z = b by elimination in an order given by the [`Pattern`] of A, or, where its pivots are too small,
+//!   with the largest remaining entry as pivot. The order depends on the pattern only, the choice between both ways on
+//!   the entries only: equal entries give bitwise equal results;
+//! * [`Magnitude`]: the size of a number, for the choice of pivots;
+//! * [`nonnegative_combination`]: a vector as an exact combination of others with nonnegative factors.
 //!
-//! Over enclosures ([`Kind::Enclosed`]) the unknowns enclose those of every matrix and right side that the entries enclose, or there is
-//! no solution where a pivot may be zero.
+//! Over enclosures ([`Kind::Enclosed`]) the solution encloses that of every matrix and right-hand side within the
+//! enclosures; there is no solution where a pivot may be zero.
 //!
-//! The same factors serve every order of a series: with A_0 factored once,
+//! One factorisation of A_0 serves all orders of a Taylor series:
 //!
 //!   A_0 z_k = b_k - sum_(l = 1 ... k) A_l z_(k-l) .
 

@@ -1,18 +1,18 @@
-//! Combinations of columns with factors that are not negative, exactly.
+//! Exact nonnegative combinations of vectors.
 //!
-//! The first phase of the simplex method in rational numbers, with Bland's rule, which returns to no basis (R. G. Bland, Math. Oper. Res. 2
-//! (1977), 103-107).
+//! Phase one of the simplex method in rational numbers, with Bland's rule against cycling (R. G. Bland, Math. Oper.
+//! Res. 2 (1977), 103-107).
 
 use field::Rational;
 
-/// The most exchanges.
+/// The largest number of pivot steps.
 const MOST_EXCHANGES: usize = 600;
 
-/// The largest table.
+/// The largest number of entries of the tableau.
 const LARGEST_TABLE: usize = 200_000;
 
-/// Factors λ with λ_j ≥ 0 and Σ λ_j columns_j = target. `None` where none exist, where columns have other lengths, or where more than a
-/// fixed number of exchanges would be needed.
+/// Factors λ with λ_j ≥ 0 and Σ λ_j columns_j = target. `None` where none exist, where lengths differ, or where the
+/// limits of size and pivot steps are exceeded.
 pub fn nonnegative_combination(columns: &[Vec<Rational>], target: &[Rational]) -> Option<Vec<Rational>> {
     let height = target.len();
     if columns.iter().any(|column| column.len() != height) || height.checked_mul(columns.len())? > LARGEST_TABLE {
@@ -20,7 +20,7 @@ pub fn nonnegative_combination(columns: &[Vec<Rational>], target: &[Rational]) -
     }
     let kept = possible(columns, target);
     let zero = Rational::new(0, 1);
-    // each row: its entries in the columns, then its target, which is not negative
+    // each row: its entries in the columns, then its target, made nonnegative
     let mut rows: Vec<Vec<Rational>> = (0..height)
         .map(|row| {
             let is_down = target[row].sign() == Some(-1);
@@ -28,7 +28,7 @@ pub fn nonnegative_combination(columns: &[Vec<Rational>], target: &[Rational]) -
             entries.map(|entry| if is_down { -entry } else { entry }).collect()
         })
         .collect();
-    // none: the row has its own unknown, which must vanish
+    // `None`: the basis variable of the row is artificial and must vanish
     let mut basis: Vec<Option<usize>> = vec![None; height];
     for _ in 0..MOST_EXCHANGES {
         let open: Vec<usize> = (0..height).filter(|&row| basis[row].is_none()).collect();
@@ -48,7 +48,8 @@ pub fn nonnegative_combination(columns: &[Vec<Rational>], target: &[Rational]) -
     None
 }
 
-/// Columns that may have a factor: a row whose target is zero, and whose entries have one sign, excludes all of its columns.
+/// The columns that may have a nonzero factor: a row with target zero and entries of one sign excludes all of its
+/// columns.
 fn possible(columns: &[Vec<Rational>], target: &[Rational]) -> Vec<usize> {
     let mut kept: Vec<usize> = (0..columns.len()).collect();
     loop {
@@ -66,13 +67,13 @@ fn possible(columns: &[Vec<Rational>], target: &[Rational]) -> Vec<usize> {
     }
 }
 
-/// A column enters in the row where its factor is bounded first; `None` where nothing bounds it.
+/// Brings a column into the basis, in the row that bounds its factor first; `None` where no row bounds it.
 fn exchange(rows: &mut [Vec<Rational>], basis: &mut [Option<usize>], entering: usize) -> Option<()> {
     let last = rows.first()?.len() - 1;
     let mut leaving: Option<(usize, Rational)> = None;
     for (row, entries) in rows.iter().enumerate().filter(|(_, entries)| entries[entering].sign() == Some(1)) {
         let bound = entries[last] / entries[entering];
-        // among equal bounds an unknown that must vanish leaves first, then the first column
+        // of equal bounds an artificial variable leaves first, then the first column
         let is_first = |(known, least): &(usize, Rational)| match (bound - *least).sign() {
             Some(0) => basis[row] < basis[*known],
             sign => sign == Some(-1),

@@ -1,32 +1,32 @@
-//! An order of elimination for a matrix with a pattern that keeps fill-in small (Markowitz 1957).
+//! An elimination order for a sparse matrix with small fill-in (Markowitz 1957).
 //!
-//! A pivot on the diagonal comes first: in equations of motion these are masses. A pivot that arises where the pattern had no
-//! entry is taken only when all entries of its row are eliminated: for a multiplier it is then -J M^-1 J^T, which is not zero
-//! where constraints are independent. Where the diagonal has no pivot left, any place may give one: a coordinate without inertia
-//! is found from the constraint that moves it.
+//! Pivots on the diagonal come first: in equations of motion these are masses. A diagonal pivot created by fill-in is
+//! accepted only when all original entries of its row are eliminated: for a multiplier it is then -J M^-1 J^T, which is
+//! nonzero for independent constraints. If no diagonal pivot is left, any entry may be a pivot: a coordinate without
+//! inertia is determined by the constraint that contains it.
 
-/// The pivots in their order, and the entries that each eliminates.
+/// The pivots in order, and the entries eliminated by each.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub(super) struct Order {
-    /// The row and the column that stand at each place of the order.
+    /// The row and the column at each position of the order.
     pub rows: Vec<usize>,
     pub columns: Vec<usize>,
-    /// The place in the order of each row and each column.
+    /// The position of each row and each column in the order.
     pub row_places: Vec<usize>,
     pub column_places: Vec<usize>,
     pub steps: Vec<Step>,
 }
 
-/// The rows and columns that the pivot at a place changes, by places.
+/// The rows and columns, by position, that change in the elimination with a pivot.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub(super) struct Step {
-    /// Rows with an entry below the pivot.
+    /// The rows with an entry below the pivot.
     pub below: Vec<usize>,
-    /// Columns with an entry beside the pivot, from and up to.
+    /// The columns with an entry to the right of the pivot, as ranges.
     pub across: Vec<(usize, usize)>,
 }
 
-/// Rows of bits.
+/// A matrix of bits.
 struct Bits {
     words: usize,
     bits: Vec<u64>,
@@ -62,7 +62,7 @@ impl Bits {
         self.bits[row * self.words..][..self.words].fill(0);
     }
 
-    /// Adds the bits of a row to another.
+    /// Adds the bits of one row to another.
     fn join(&mut self, into: usize, from: usize) {
         for word in 0..self.words {
             self.bits[into * self.words + word] |= self.bits[from * self.words + word];
@@ -83,13 +83,13 @@ impl Bits {
 
 impl Order {
     pub fn of(size: usize, places: &[(usize, usize)]) -> Self {
-        // entries by rows, and by columns
+        // the entries, by rows and by columns
         let (mut across, mut down) = (Bits::new(size), Bits::new(size));
         for &(row, column) in places {
             across.set(row, column);
             down.set(column, row);
         }
-        // the entries of the pattern itself that are not eliminated yet
+        // the numbers of original entries not eliminated yet
         let mut own: Vec<usize> = (0..size).map(|row| across.count(row)).collect();
         let given: Vec<bool> = (0..size).map(|place| across.has(place, place)).collect();
         let neighbours: Vec<Vec<usize>> = (0..size).map(|column| down.columns(column).collect()).collect();
@@ -106,7 +106,7 @@ impl Order {
                 let left = (0..size).filter(|&row| rows_left[row]);
                 let any = left.flat_map(|row| across.columns(row).map(move |column| (row, column)));
                 let first = |left: &[bool]| left.iter().position(|left| *left).unwrap_or(0);
-                // without an entry no pivot is one
+                // a position without an entry is no pivot
                 any.min_by_key(|&(row, column)| cost(row, column))
                     .unwrap_or_else(|| (first(&rows_left), first(&columns_left)))
             });
@@ -172,7 +172,7 @@ mod tests {
 
     #[test]
     fn an_arrow_is_eliminated_from_its_tips() {
-        // the first unknown stands in every equation
+        // the first unknown occurs in every equation
         let places: Vec<(usize, usize)> = (0..6).flat_map(|k| [(k, k), (0, k), (k, 0)]).collect();
         let order = Order::of(6, &places);
         assert!(!order.rows[..4].contains(&0), "{:?}", order.rows);
@@ -181,7 +181,7 @@ mod tests {
 
     #[test]
     fn a_multiplier_waits_for_all_that_it_holds() {
-        // two masses, one constraint on both
+        // two masses with one common constraint
         let order = Order::of(3, &[(0, 0), (1, 1), (0, 2), (2, 0), (1, 2), (2, 1)]);
         assert_eq!(order.rows, [0, 1, 2]);
     }

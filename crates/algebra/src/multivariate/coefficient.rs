@@ -1,11 +1,12 @@
-//! Integer coefficients: machine integers as long as they suffice, big integers otherwise.
+//! Integer coefficients of polynomials: machine integers, or big integers where necessary.
 
 use super::Limit;
 use dashu_int::IBig;
 use dashu_int::ops::{Abs, DivRem, Gcd};
 use std::fmt::Debug;
 
-/// An integer. Operations of a bounded type report an overflow; the computation is then repeated with big integers.
+/// An integer type. Operations of machine integers report an overflow; the computation is then repeated with big
+/// integers.
 pub trait Coefficient: Clone + Debug + PartialEq + 'static {
     fn of(value: i64) -> Self;
     fn from_big(value: &IBig) -> Result<Self, Limit>;
@@ -15,15 +16,15 @@ pub trait Coefficient: Clone + Debug + PartialEq + 'static {
     fn plus(&self, other: &Self) -> Result<Self, Limit>;
     fn times(&self, other: &Self) -> Result<Self, Limit>;
     fn negated(&self) -> Self;
-    /// The quotient where the division leaves no remainder.
+    /// The quotient; `None` where the division leaves a remainder.
     fn exact_quotient(&self, divisor: &Self) -> Option<Self>;
-    /// The greatest common divisor, not negative.
+    /// The nonnegative greatest common divisor.
     fn common(&self, other: &Self) -> Self;
     /// The residue modulo a prime below 2^62.
     fn modulo(&self, prime: u64) -> u64;
-    /// The number where it has at most 64 bits.
+    /// The number as 64 bits; `None` where it is larger.
     fn small(&self) -> Option<i64>;
-    /// From a sum of products of machine integers; `None` for the smallest of all.
+    /// The conversion of a sum of products of machine integers; `None` for the smallest `i128`.
     fn from_wide(value: i128) -> Option<Self>;
 
     fn is_one(&self) -> bool {
@@ -41,7 +42,7 @@ impl Coefficient for i128 {
     }
 
     fn from_big(value: &IBig) -> Result<Self, Limit> {
-        // The smallest i128 has no negative, so it is left to the big integers.
+        // the smallest i128 has no negative and is left to big integers
         i128::try_from(value).ok().filter(|&n| n != i128::MIN).ok_or(Limit::Overflow)
     }
 
@@ -62,7 +63,7 @@ impl Coefficient for i128 {
         self.checked_add(*other).filter(|&n| n != i128::MIN).ok_or(Limit::Overflow)
     }
 
-    /// Two factors of 64 bits have a product of 128: no check is needed, and checks cost more than the product.
+    /// the product of two factors of 64 bits fits in 128: no check is needed, which would cost more than the product
     #[inline]
     fn times(&self, other: &Self) -> Result<Self, Limit> {
         match (i64::try_from(*self), i64::try_from(*other)) {
@@ -96,7 +97,7 @@ impl Coefficient for i128 {
                 return i128::from(a);
             }
             if b == 0 {
-                // Coefficients are above i128::MIN, so their sizes fit.
+                // coefficients are above i128::MIN, so that their magnitudes fit
                 return a as i128;
             }
             (a, b) = (b, a % b);

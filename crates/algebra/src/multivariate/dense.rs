@@ -1,15 +1,15 @@
-//! Products of dense polynomials: one place in an array for every monomial that can occur.
+//! Products of dense polynomials in an array with one element for every possible monomial.
 //!
-//! A monomial's place is its exponents read as digits (Kronecker): the place of a product is the sum of places, and no
-//! monomial is looked up.
+//! The index of a monomial is the number with its exponents as digits (Kronecker substitution): the index of a product
+//! is the sum of the indices.
 
 use super::{Coefficient, Monomial, Poly, monomial};
 use std::ops::AddAssign;
 
-/// The largest array.
+/// The largest length of the array.
 const PLACES: u64 = 1 << 23;
 
-/// An integer of fixed size that sums of products are known to fit.
+/// An integer of fixed size, large enough for the sums of products.
 trait Accumulator: Copy + Default + PartialEq + AddAssign {
     fn product(a: i64, b: i64) -> Self;
     fn wide(self) -> i128;
@@ -37,13 +37,13 @@ impl Accumulator for i128 {
     }
 }
 
-/// The generators of a product, each with the number of its powers.
+/// The generators of a product, each with its number of digit values.
 struct Digits(Vec<(usize, u64)>);
 
 impl Digits {
     fn place<const W: usize>(&self, m: &Monomial<W>) -> u32 {
         let place = |sum, &(generator, count): &_| sum * count + u64::from(monomial::exponent(m, generator));
-        // At most PLACES.
+        // at most PLACES
         self.0.iter().fold(0, place) as u32
     }
 
@@ -59,8 +59,8 @@ impl Digits {
 }
 
 impl<C: Coefficient, const W: usize> Poly<C, W> {
-    /// The product, where there are fewer monomials that can occur than products of terms, and where sums of products
-    /// fit machine integers.
+    /// The product by an array, if there are fewer possible monomials than products of terms and all sums fit in
+    /// machine integers; `None` otherwise.
     pub(super) fn dense_product(&self, other: &Self) -> Option<Self> {
         let degrees = monomial::product(&self.degrees(), &other.degrees()).ok()?;
         let digits = Digits(monomial::support(&degrees).map(|(g, highest)| (g, u64::from(highest) + 1)).collect());

@@ -1,14 +1,17 @@
-//! Exact division.
+//! Exact division of polynomials.
 
 use super::modular::Image;
 use super::{Budget, Coefficient, Limit, Monomial, Poly, monomial};
 use std::collections::BinaryHeap;
 
-/// The number of pairs of terms from which on a modular image decides first whether the division can succeed.
+/// The number of pairs of terms from which on a modular image first tests whether the division can be exact.
 const ASK_IMAGE: usize = 200;
 
 impl<C: Coefficient, const W: usize> Poly<C, W> {
-    /// self / divisor where the division leaves no remainder, `None` where it does.
+    /// self / divisor; `None` where the division leaves a remainder.
+    ///
+    /// # Errors
+    /// [`Limit`] where a limit of the computation is exceeded.
     pub fn exact_quotient(&self, divisor: &Self, budget: &Budget) -> Result<Option<Self>, Limit> {
         match (self.terms.as_slice(), divisor.terms.as_slice()) {
             ([], _) => return Ok(Some(Self::zero())),
@@ -28,7 +31,7 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
         self.long_division(divisor, budget)
     }
 
-    /// Whether the image of the divisor divides the image of `self`, in the divisor's generator of lowest degree.
+    /// Whether the modular image of the divisor divides that of `self`, in the divisor's generator of lowest degree.
     fn image_allows(&self, divisor: &Self) -> bool {
         let degrees = divisor.degrees();
         let Some((generator, _)) = monomial::support(&degrees).min_by_key(|&(_, degree)| degree) else {
@@ -38,8 +41,8 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
         image.degree().is_none() || Image::of(self, generator).remainder(&image).degree().is_none()
     }
 
-    /// Division by falling terms. A heap holds, for every term of the divisor but the first, its product with the next
-    /// term of the quotient not yet subtracted.
+    /// Long division by descending terms. A heap has, for every term of the divisor but the first, its product with the
+    /// next term of the quotient that is not yet subtracted.
     fn long_division(&self, divisor: &Self, budget: &Budget) -> Result<Option<Self>, Limit> {
         let (lead, lead_coefficient) = &divisor.terms[0];
         let rest = &divisor.terms[1..];

@@ -1,14 +1,17 @@
-//! Greatest common divisors of polynomials, to bring fractions to lowest terms.
+//! Greatest common divisors of polynomials.
 //!
-//! Images modulo a prime bound the degree of the divisor in every generator: a generator that cannot occur in it is
-//! removed by passing to coefficients, and most pairs turn out to have nothing in common at once. The rest is done by
-//! the primitive remainder sequence in one generator over the others.
+//! Images modulo a prime bound the degree of the divisor in every generator. A generator that cannot occur in it is
+//! removed by passing to coefficients; most pairs are thereby recognised as coprime. The remaining cases use the
+//! primitive remainder sequence in one generator over the others.
 
 use super::modular::Image;
 use super::{Budget, Coefficient, Limit, Poly, monomial};
 
 impl<C: Coefficient, const W: usize> Poly<C, W> {
-    /// The greatest common divisor over the rationals, primitive, its first coefficient positive.
+    /// The greatest common divisor over the rationals, primitive, with a positive first coefficient.
+    ///
+    /// # Errors
+    /// [`Limit`] where a limit of the computation is exceeded.
     pub fn common_divisor(&self, other: &Self, budget: &Budget) -> Result<Self, Limit> {
         match (self.is_zero(), other.is_zero()) {
             (true, _) => return other.primitive(),
@@ -22,7 +25,10 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
         rest.scaled(&shared, &C::of(1))
     }
 
-    /// Divided by its content: coefficients without a common divisor, the first positive.
+    /// The polynomial divided by its content: coefficients without common divisor, the first one positive.
+    ///
+    /// # Errors
+    /// [`Limit`] where a limit of the computation is exceeded.
     pub fn primitive(&self) -> Result<Self, Limit> {
         if self.is_zero() {
             return Ok(self.clone());
@@ -30,14 +36,17 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
         self.over_constant(&self.content()).ok_or(Limit::Overflow)
     }
 
-    /// The coefficients of the powers of a generator, from the zeroth.
+    /// The coefficients of the powers of a generator, from the zeroth power.
+    ///
+    /// # Errors
+    /// [`Limit`] where a limit of the computation is exceeded.
     pub fn by_powers(&self, generator: usize) -> Result<Vec<Self>, Limit> {
         let degree = monomial::exponent(&self.degrees(), generator);
         let mut parts = vec![Vec::new(); degree as usize + 1];
         for (m, c) in self.terms() {
             let exponent = monomial::exponent(m, generator);
             let rest = monomial::quotient(m, &monomial::power(generator, exponent)?).ok_or(Limit::Degree)?;
-            // Equal exponents removed from falling monomials leave them falling.
+            // removing an equal exponent keeps monomials in descending order
             parts[exponent as usize].push((rest, c.clone()));
         }
         Ok(parts.into_iter().map(Self::sorted).collect())
@@ -59,7 +68,7 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
     }
 }
 
-/// The divisor of two primitive polynomials without monomial factors.
+/// The greatest common divisor of two primitive polynomials without monomial factors.
 fn stripped<C: Coefficient, const W: usize>(
     a: Poly<C, W>,
     b: Poly<C, W>,
@@ -79,7 +88,7 @@ fn stripped<C: Coefficient, const W: usize>(
         let (p, q) = (monomial::exponent(&high, generator), monomial::exponent(&low, generator));
         let bound = if p.min(q) == 0 { 0 } else { degree_bound(&large, &small, generator, p, q) };
         if bound == 0 {
-            // The divisor is free of this generator: it divides every coefficient.
+            // the common divisor does not contain this generator: it divides every coefficient
             let a = if p > 0 { large.content_in(generator, budget)? } else { large };
             if a.is_one() {
                 return Ok(a);
@@ -95,7 +104,7 @@ fn stripped<C: Coefficient, const W: usize>(
     }
 }
 
-/// An upper bound of the degree of the greatest common divisor in the generator.
+/// An upper bound of the degree of the greatest common divisor in a generator, by images.
 fn degree_bound<C: Coefficient, const W: usize>(
     a: &Poly<C, W>,
     b: &Poly<C, W>,
@@ -105,11 +114,11 @@ fn degree_bound<C: Coefficient, const W: usize>(
 ) -> usize {
     let (first, second) = (Image::of(a, generator), Image::of(b, generator));
     let (whole_a, whole_b) = (first.degree() == Some(p as usize), second.degree() == Some(q as usize));
-    // The image of the divisor keeps its degree where the leading coefficient of a multiple does not vanish.
+    // the image of the divisor has full degree if the leading coefficient of a multiple does not vanish
     if whole_a || whole_b { first.common_degree(second) } else { p.min(q) as usize }
 }
 
-/// Euclid's algorithm in one generator; every remainder is made primitive.
+/// Euclid's algorithm in one generator with primitive remainders.
 fn remainder_sequence<C: Coefficient, const W: usize>(
     a: &Poly<C, W>,
     b: &Poly<C, W>,
@@ -137,7 +146,7 @@ fn remainder_sequence<C: Coefficient, const W: usize>(
     }
 }
 
-/// A multiple of p minus a multiple of q, of lower degree than q in the generator.
+/// The pseudo-remainder: a multiple of p minus a multiple of q, of lower degree than q in the generator.
 fn pseudo_remainder<C: Coefficient, const W: usize>(
     p: &Poly<C, W>,
     q: &Poly<C, W>,

@@ -1,7 +1,7 @@
-//! Sparse polynomials with integer coefficients.
+//! Sparse multivariate polynomials with integer coefficients.
 //!
-//! Terms are sorted by falling monomials; exponents are packed: a monomial product is an addition of words. Generators
-//! are numbers; the module has no expressions.
+//! Terms are sorted by descending monomials. Exponents are packed, so that a product of monomials is an addition of
+//! words. Generators are numbered.
 
 mod coefficient;
 mod dense;
@@ -18,10 +18,10 @@ use std::cell::Cell;
 use std::cmp::{Ordering, Reverse};
 use std::fmt;
 
-/// The limit at which a computation ended without a result.
+/// The limit that ended a computation without a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Limit {
-    /// A coefficient left the machine integers: repeat with big ones.
+    /// A coefficient overflowed the machine integers: the computation must be repeated with big integers.
     Overflow,
     /// An exponent above 127.
     Degree,
@@ -44,7 +44,7 @@ impl fmt::Display for Limit {
 
 impl std::error::Error for Limit {}
 
-/// The number of operations that a computation may use before it gives up.
+/// The number of operations that a computation may use.
 #[derive(Debug)]
 pub struct Budget {
     work: Cell<u64>,
@@ -62,10 +62,10 @@ impl Budget {
     /// The largest number of operations on terms: seconds with machine integers, a minute with big ones.
     const WORK: u64 = 1_000_000_000;
 
-    /// Takes operations from the rest of the budget.
+    /// Subtracts operations from the budget.
     ///
     /// # Errors
-    /// [`Limit::Work`] where the rest is too small.
+    /// [`Limit::Work`] where the budget is exhausted.
     #[inline]
     pub fn spend(&self, operations: usize) -> Result<(), Limit> {
         let left = self.work.get().checked_sub(operations as u64).ok_or(Limit::Work)?;
@@ -74,13 +74,13 @@ impl Budget {
     }
 }
 
-/// Terms by falling monomials, none with the coefficient zero.
+/// A polynomial: terms in descending order of monomials, with nonzero coefficients.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Poly<C, const W: usize> {
     terms: Vec<(Monomial<W>, C)>,
 }
 
-/// The number of terms up to which a sum is sorted; above, its summands are merged.
+/// The number of terms up to which a sum is computed by sorting; above, by merging.
 const MERGED: usize = 1 << 8;
 
 impl<C: Coefficient, const W: usize> Poly<C, W> {
@@ -89,22 +89,25 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
         Poly { terms: Vec::new() }
     }
 
-    /// A number as a polynomial.
+    /// A constant polynomial.
     pub fn constant(value: C) -> Self {
         Self::term(monomial::unit(), value)
     }
 
-    /// The number one.
+    /// The constant polynomial 1.
     pub fn one() -> Self {
         Self::constant(C::of(1))
     }
 
-    /// One term, or none where its coefficient is zero.
+    /// A polynomial of one term; zero if the coefficient is zero.
     pub fn term(monomial: Monomial<W>, coefficient: C) -> Self {
         Poly { terms: if coefficient.is_zero() { Vec::new() } else { vec![(monomial, coefficient)] } }
     }
 
-    /// From terms in any order, monomials possibly repeated.
+    /// A polynomial from terms in any order, with possibly repeated monomials.
+    ///
+    /// # Errors
+    /// [`Limit`] where a coefficient overflows or there are too many terms.
     pub fn collected(mut terms: Vec<(Monomial<W>, C)>) -> Result<Self, Limit> {
         terms.sort_unstable_by_key(|term| Reverse(term.0));
         let mut kept: Vec<(Monomial<W>, C)> = Vec::with_capacity(terms.len());
@@ -125,13 +128,13 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
         Ok(Poly { terms: kept })
     }
 
-    /// From terms already by falling monomials, all different, with coefficients that may be zero.
+    /// A polynomial from terms in descending order of distinct monomials, whose coefficients may be zero.
     fn sorted(mut terms: Vec<(Monomial<W>, C)>) -> Self {
         terms.retain(|(_, coefficient)| !coefficient.is_zero());
         Poly { terms }
     }
 
-    /// The terms by falling monomials.
+    /// The terms in descending order of monomials.
     pub fn terms(&self) -> &[(Monomial<W>, C)] {
         &self.terms
     }
@@ -140,12 +143,12 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
         self.terms.len()
     }
 
-    /// Whether there is no term.
+    /// Whether the polynomial is zero.
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
 
-    /// The value of a constant polynomial.
+    /// The value of a constant polynomial; `None` for others.
     pub fn as_constant(&self) -> Option<C> {
         match self.terms.as_slice() {
             [] => Some(C::of(0)),
@@ -154,7 +157,7 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
         }
     }
 
-    /// Whether it is the number one.
+    /// Whether the polynomial is 1.
     pub fn is_one(&self) -> bool {
         self.as_constant().is_some_and(|value| value.is_one())
     }
@@ -198,7 +201,10 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
         Ok(Poly { terms: sum })
     }
 
-    /// The sum of many, of those marked with their signs changed.
+    /// The sum of many polynomials, those marked true with a negative sign.
+    ///
+    /// # Errors
+    /// Any [`Limit`].
     pub fn signed_sum(summands: &[(&Self, bool)], budget: &Budget) -> Result<Self, Limit> {
         let all = summands.iter().map(|(each, _)| each.len()).sum();
         if all > MERGED {
@@ -213,7 +219,10 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
         Self::collected(terms)
     }
 
-    /// The sum of many, merged in pairs so that no term is touched more often than there are levels.
+    /// The sum of many polynomials, merged in pairs.
+    ///
+    /// # Errors
+    /// Any [`Limit`].
     pub fn sum(mut summands: Vec<Self>, budget: &Budget) -> Result<Self, Limit> {
         while summands.len() > 1 {
             let mut merged = Vec::with_capacity(summands.len().div_ceil(2));
@@ -230,6 +239,9 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
     }
 
     /// The product with one term.
+    ///
+    /// # Errors
+    /// Any [`Limit`].
     pub fn scaled(&self, monomial: &Monomial<W>, factor: &C) -> Result<Self, Limit> {
         if factor.is_zero() {
             return Ok(Self::zero());
@@ -262,7 +274,7 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
         (0..exponent).try_fold(Self::one(), |product, _| product.times(self, budget))
     }
 
-    /// The greatest common divisor of the coefficients, with the sign of the first.
+    /// The content: the greatest common divisor of the coefficients, with the sign of the first.
     pub fn content(&self) -> C {
         let mut content = C::of(0);
         for (_, coefficient) in &self.terms {
@@ -274,7 +286,7 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
         if self.terms.first().is_some_and(|(_, first)| first.is_negative()) { content.negated() } else { content }
     }
 
-    /// All coefficients divided by a number that divides them.
+    /// The polynomial divided by a number; `None` where it does not divide all coefficients.
     pub fn over_constant(&self, divisor: &C) -> Option<Self> {
         if divisor.is_one() {
             return Some(self.clone());
@@ -283,19 +295,19 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
         Some(Poly { terms: terms.collect::<Option<_>>()? })
     }
 
-    /// The monomial that divides all terms.
+    /// The largest monomial that divides all terms.
     pub fn common_monomial(&self) -> Monomial<W> {
         let mut all = self.terms.iter().map(|(m, _)| *m);
         let first = all.next().unwrap_or(monomial::unit());
         all.fold(first, |common, m| monomial::extremes(&common, &m, false))
     }
 
-    /// The highest exponent of every generator.
+    /// The highest exponent of every generator, as a monomial.
     pub fn degrees(&self) -> Monomial<W> {
         self.terms.iter().fold(monomial::unit(), |highest, (m, _)| monomial::extremes(&highest, m, true))
     }
 
-    /// All terms divided by a monomial that divides them.
+    /// The polynomial divided by a monomial; `None` where it does not divide all terms.
     pub fn over_monomial(&self, divisor: &Monomial<W>) -> Option<Self> {
         let terms = self.terms.iter().map(|(m, c)| Some((monomial::quotient(m, divisor)?, c.clone())));
         Some(Poly { terms: terms.collect::<Option<_>>()? })

@@ -1,9 +1,9 @@
-//! Images modulo a prime, with all generators but one at fixed pseudo-random residues. Identities of polynomials hold
-//! for their images: an image quickly shows that a divisor does not divide, or that two have nothing in common.
+//! Images of polynomials modulo a prime, with all generators but one at fixed pseudo-random residues. Images inherit
+//! divisibility: they quickly show that a division is not exact, or that two polynomials are coprime.
 
 use super::{Coefficient, Poly, monomial};
 
-/// 2^61 - 1, a prime.
+/// The prime 2^61 - 1.
 const PRIME: u64 = (1 << 61) - 1;
 
 fn times(a: u64, b: u64) -> u64 {
@@ -32,7 +32,7 @@ fn inverse(a: u64) -> u64 {
     power
 }
 
-/// The residue at which a generator is held: the same in every image (splitmix of its number).
+/// The fixed residue of a generator, by splitmix of its number.
 fn residue(generator: usize) -> u64 {
     let mut z = (generator as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -40,7 +40,7 @@ fn residue(generator: usize) -> u64 {
     (z ^ (z >> 31)) % PRIME
 }
 
-/// Coefficients by rising powers of the one generator left; the last is not zero.
+/// The image as coefficients of ascending powers of the remaining generator; the last one is nonzero.
 #[derive(Clone, Debug)]
 pub(super) struct Image(Vec<u64>);
 
@@ -75,12 +75,12 @@ impl Image {
         self
     }
 
-    /// The degree, `None` for zero.
+    /// The degree; `None` for zero.
     pub fn degree(&self) -> Option<usize> {
         self.0.len().checked_sub(1)
     }
 
-    /// The remainder of the division by an image that is not zero.
+    /// The remainder modulo an image that is not zero.
     pub fn remainder(mut self, divisor: &Image) -> Image {
         let Some(lead) = divisor.0.last().map(|&lead| inverse(lead)) else {
             return self;

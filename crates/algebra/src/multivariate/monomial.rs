@@ -1,18 +1,18 @@
-//! Products of powers of generators, eight exponents to a machine word.
+//! Monomials with packed exponents, eight to a machine word.
 
 use super::Limit;
 
-/// The exponents, seven bits each and a guard bit above them: the first generator in the highest byte of the first
-/// word. Comparing words compares exponents lexicographically, adding words multiplies monomials, and an exponent
-/// above 127 shows in its guard bit.
+/// The exponents of the generators: seven bits each with a guard bit above; the first generator is in the highest byte
+/// of the first word. Comparison of words compares exponents lexicographically, addition of words multiplies monomials,
+/// and an exponent above 127 sets its guard bit.
 pub type Monomial<const W: usize> = [u64; W];
 
-/// Generators per word.
+/// The number of generators per word.
 pub const PER_WORD: usize = 8;
 
 const GUARDS: u64 = 0x8080_8080_8080_8080;
 
-/// The monomial without generators.
+/// The monomial 1.
 pub const fn unit<const W: usize>() -> Monomial<W> {
     [0; W]
 }
@@ -23,6 +23,9 @@ fn shift(generator: usize) -> u32 {
 }
 
 /// The power of one generator.
+///
+/// # Errors
+/// [`Limit::Degree`] for an exponent above 127.
 pub fn power<const W: usize>(generator: usize, exponent: u32) -> Result<Monomial<W>, Limit> {
     if exponent > 127 {
         return Err(Limit::Degree);
@@ -48,13 +51,13 @@ pub fn product<const W: usize>(a: &Monomial<W>, b: &Monomial<W>) -> Result<Monom
     if guards & GUARDS == 0 { Ok(sum) } else { Err(Limit::Degree) }
 }
 
-/// a / b where every exponent of b is at most that of a.
+/// The quotient a / b; `None` where an exponent of b exceeds that of a.
 #[inline]
 pub fn quotient<const W: usize>(a: &Monomial<W>, b: &Monomial<W>) -> Option<Monomial<W>> {
     let mut difference = *a;
     let mut guards = GUARDS;
     for (word, other) in difference.iter_mut().zip(b) {
-        // The guard bit lends to its own exponent alone, and is cleared by a borrow.
+        // each guard bit lends to its own exponent, and is cleared by a borrow
         let lent = (*word | GUARDS) - other;
         guards &= lent;
         *word = lent & !GUARDS;
@@ -62,11 +65,11 @@ pub fn quotient<const W: usize>(a: &Monomial<W>, b: &Monomial<W>) -> Option<Mono
     (guards == GUARDS).then_some(difference)
 }
 
-/// Exponent by exponent the smaller (or the larger) of two.
+/// The smaller (or, with `largest`, the larger) exponent of each generator.
 pub fn extremes<const W: usize>(a: &Monomial<W>, b: &Monomial<W>, largest: bool) -> Monomial<W> {
     let mut result = *a;
     for (word, &other) in result.iter_mut().zip(b) {
-        // All ones in the fields where word >= other.
+        // 0xff in the bytes where word >= other
         let at_least = ((((*word | GUARDS) - other) & GUARDS) >> 7) * 0xff;
         let (high, low) = ((*word & at_least) | (other & !at_least), (other & at_least) | (*word & !at_least));
         *word = if largest { high } else { low };
@@ -74,7 +77,7 @@ pub fn extremes<const W: usize>(a: &Monomial<W>, b: &Monomial<W>, largest: bool)
     result
 }
 
-/// The generators that occur, with their exponents.
+/// The generators with nonzero exponents.
 pub fn support<const W: usize>(monomial: &Monomial<W>) -> impl Iterator<Item = (usize, u32)> + '_ {
     monomial.iter().enumerate().flat_map(|(place, &word)| {
         let mut rest = word;

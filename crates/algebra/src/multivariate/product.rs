@@ -3,7 +3,7 @@
 use super::{Budget, Coefficient, Limit, Monomial, Poly, monomial};
 use std::cmp::Reverse;
 
-/// The number of products of terms up to which these are sorted; above, equal monomials are found in an array or by
+/// The number of products of terms up to which they are sorted; above, equal monomials are found by an array or by
 /// hashing.
 const SORTED: usize = 1 << 10;
 
@@ -43,7 +43,7 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
     }
 }
 
-/// Terms with their places by monomial: open addressing, linear probing, at most half full.
+/// A hash table of terms by monomial: open addressing, linear probing, at most half full.
 struct Table<C, const W: usize> {
     terms: Vec<(Monomial<W>, C)>,
     places: Vec<u32>,

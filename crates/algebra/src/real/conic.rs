@@ -1,4 +1,4 @@
-//! Polynomial functions on the conic y^2 = c0 - c1 x^2: P(x) + y Q(x), and the points at which one vanishes.
+//! Polynomial functions P(x) + y Q(x) on the conic y^2 = c0 - c1 x^2, and their zeros.
 
 use super::{Number, Ordered, Polynomial, Root};
 use dashu_int::ops::{Gcd, UnsignedAbs};
@@ -6,13 +6,13 @@ use dashu_int::{IBig, UBig};
 use field::Rational;
 use std::sync::Arc;
 
-/// (P + y Q) / below with integer coefficients. A sign is known of constants alone.
+/// The function (P + y Q) / below with integer coefficients. The sign is available for constants only.
 #[derive(Clone, Debug)]
 pub struct Conic {
     plain: Polynomial,
     odd: Polynomial,
     below: Number,
-    /// y^2 = (first - second x^2) / third, the third positive
+    /// The numbers of y^2 = (first - second x^2) / third, with a positive third.
     square: Arc<[Number; 3]>,
 }
 
@@ -24,7 +24,7 @@ pub struct ConicPoint {
 }
 
 impl Conic {
-    /// The functions x and y, on y^2 = c0 - c1 x^2. `None` where a number is undefined.
+    /// The functions x and y on y^2 = c0 - c1 x^2. `None` where a number is undefined.
     pub fn coordinates(c0: Rational, c1: Rational) -> Option<[Self; 2]> {
         let (whole, third) = Number::over_common(&[c0, c1])?;
         let [first, second]: [Number; 2] = whole.try_into().ok()?;
@@ -35,12 +35,12 @@ impl Conic {
         Some([function(x, zero.clone()), function(zero, Polynomial::from_integers([1]))])
     }
 
-    /// Whether the function vanishes everywhere.
+    /// Whether the function is zero on the whole conic.
     pub fn is_zero(&self) -> bool {
         self.plain.is_zero() && self.odd.is_zero()
     }
 
-    /// All real points at which the function vanishes; none for one that vanishes everywhere.
+    /// All real zeros of the function; empty for the zero function.
     pub fn zeros(&self) -> Vec<ConicPoint> {
         // (P + y Q)(P - y Q) times a positive number
         let square = self.squared();
@@ -67,7 +67,7 @@ impl Conic {
         zeros
     }
 
-    /// The polynomial in x that equals y^2 times the third number of the conic, which is positive.
+    /// The polynomial in x that equals y^2 times the third number of the conic.
     fn squared(&self) -> Polynomial {
         let [first, second, _] = &*self.square;
         Polynomial::new(vec![first.clone(), Number::zero(), -second])
@@ -89,7 +89,7 @@ impl Conic {
         Conic { plain, odd, below, square: Arc::clone(&self.square) }
     }
 
-    /// Both functions over one denominator.
+    /// Combines two functions over their common denominator.
     fn joined(&self, b: &Self, join: impl Fn(&Polynomial, &Polynomial) -> Polynomial) -> Self {
         let (up, down) = (Polynomial::constant(b.below.clone()), Polynomial::constant(self.below.clone()));
         let both = |p: &Polynomial, q: &Polynomial| join(&(p * &up), &(q * &down));
@@ -126,7 +126,7 @@ impl Ordered for Conic {
         self.with(plain, odd, &(&self.below * &b.below) * &self.square[2])
     }
 
-    /// Constants alone divide.
+    /// The quotient by a constant; `None` for other divisors.
     fn over(&self, b: &Self) -> Option<Self> {
         let divisor = b.constant()?.first()?;
         let (up, down) = match divisor.sign() {
@@ -156,7 +156,7 @@ mod tests {
         let one = Rational::new(1, 1);
         let [x, y] = Conic::coordinates(one, one).unwrap();
         let places = |f: &Conic| -> Vec<(f64, i32)> { f.zeros().iter().map(|at| (at.x.to_f64(), at.side)).collect() };
-        // x = 2 y in two opposite points, x = 1/2 in two, y in two with y = 0
+        // x = 2 y at two opposite points, x = 1/2 at two, y = 0 at two
         assert_eq!(places(&x.minus(&y.plus(&y))), [(-2.0 / 5f64.sqrt(), -1), (2.0 / 5f64.sqrt(), 1)]);
         let half = x.fraction(Rational::new(1, 2)).unwrap();
         assert_eq!(places(&x.minus(&half)), [(0.5, 1), (0.5, -1)]);

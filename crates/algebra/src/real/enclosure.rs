@@ -1,4 +1,4 @@
-//! Intervals whose ends are multiples of a power of two.
+//! Intervals with ends that are multiples of a power of two.
 
 use dashu_int::IBig;
 use dashu_int::ops::{BitTest, SquareRoot, UnsignedAbs};
@@ -6,8 +6,8 @@ use field::Rational;
 use std::borrow::Cow;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// The interval [low, high] / 2^bits. Every operation rounds outwards: the result holds every value that the operands
-/// allow. An operation on operands with different `bits` gives the smaller number of bits.
+/// The interval [low, high] / 2^bits. Operations round outwards: the result contains all values for all operands. The
+/// result of operands with different `bits` has the smaller number of bits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Enclosure {
     low: IBig,
@@ -16,35 +16,35 @@ pub struct Enclosure {
 }
 
 impl Enclosure {
-    /// From both ends, as multiples of 2^-bits.
+    /// The interval with the given ends, as multiples of 2^-bits.
     pub(super) fn new(low: IBig, high: IBig, bits: usize) -> Self {
         Enclosure { low, high, bits }
     }
 
-    /// An integer.
+    /// The enclosure of an integer.
     pub fn integer(n: impl Into<IBig>, bits: usize) -> Self {
         let at = n.into() << bits;
         Enclosure { low: at.clone(), high: at, bits }
     }
 
-    /// A fraction, `None` where it is undefined.
+    /// The enclosure of a fraction; `None` where it is undefined.
     pub fn rational(value: Rational, bits: usize) -> Option<Self> {
         let big = value.to_big()?;
         let denominator = Self::integer(IBig::from(big.denominator().clone()), bits);
         Self::integer(big.numerator().clone(), bits).over(&denominator)
     }
 
-    /// The very value of a float, rounded outwards; `None` for infinities and NaN.
+    /// The enclosure of the exact value of a float; `None` for infinities and NaN.
     pub fn float(value: f64, bits: usize) -> Option<Self> {
         Self::rational(Rational::exactly(value), bits)
     }
 
-    /// A number between two multiples of 2^-bits.
+    /// The precision: ends are multiples of 2^-bits.
     pub fn bits(&self) -> usize {
         self.bits
     }
 
-    /// -1 or 1 where every value has that sign, 0 where both ends are zero, `None` where the sign is open.
+    /// The sign: -1 or 1 where every value has it, 0 for the point zero, `None` where it is undetermined.
     pub fn sign(&self) -> Option<i32> {
         if self.low > IBig::ZERO {
             Some(1)
@@ -55,7 +55,7 @@ impl Enclosure {
         }
     }
 
-    /// The quotient, `None` where the divisor may be zero.
+    /// The quotient; `None` where the divisor may be zero.
     pub fn over(&self, divisor: &Self) -> Option<Self> {
         let (a, b) = self.level(divisor);
         b.sign().filter(|sign| *sign != 0)?;
@@ -70,7 +70,7 @@ impl Enclosure {
         Some(Enclosure { low, high, bits: a.bits })
     }
 
-    /// The square root, `None` where the value may be negative.
+    /// The square root; `None` where the value may be negative.
     pub fn sqrt(&self) -> Option<Self> {
         if self.low < IBig::ZERO {
             return None;
@@ -79,30 +79,30 @@ impl Enclosure {
         Some(Enclosure { low: root(&self.low), high: root(&self.high) + IBig::ONE, bits: self.bits })
     }
 
-    /// The least enclosure of both.
+    /// The smallest enclosure that contains both.
     pub fn hull(&self, other: &Self) -> Self {
         let (a, b) = self.level(other);
         Enclosure { low: a.low.clone().min(b.low.clone()), high: a.high.clone().max(b.high.clone()), bits: a.bits }
     }
 
-    /// The number in the middle, rounded to a multiple of 2^-bits.
+    /// The midpoint, rounded to a multiple of 2^-bits.
     pub fn middle(&self) -> Self {
         let middle = (&self.low + &self.high) >> 1;
         Enclosure { low: middle.clone(), high: middle, bits: self.bits }
     }
 
-    /// The greatest value.
+    /// The upper end.
     pub fn upper(&self) -> Self {
         Enclosure { low: self.high.clone(), ..self.clone() }
     }
 
-    /// Whether all values lie between the ends of another, and neither end is one of those.
+    /// Whether the interval lies in the interior of another.
     pub fn is_inside(&self, other: &Self) -> bool {
         let (a, b) = self.level(other);
         b.low < a.low && a.high < b.high
     }
 
-    /// Whether no value lies in both.
+    /// Whether two intervals are disjoint.
     pub fn is_apart_from(&self, other: &Self) -> bool {
         let (a, b) = self.level(other);
         a.high < b.low || b.high < a.low
@@ -113,7 +113,7 @@ impl Enclosure {
         (&self.high - &self.low) << bits <= IBig::ONE << self.bits
     }
 
-    /// Two powers of two between which the sizes of all values lie, `None` where zero may be among them.
+    /// Exponents of two that bound the magnitude of all values; `None` where zero may be among them.
     pub(super) fn magnitude(&self) -> Option<(isize, isize)> {
         self.sign().filter(|sign| *sign != 0)?;
         let (a, b) = (self.low.bit_len(), self.high.bit_len());
@@ -121,7 +121,7 @@ impl Enclosure {
         Some((a.min(b) as isize - 1 - bits, a.max(b) as isize - bits))
     }
 
-    /// The middle, rounded to the nearest float.
+    /// The midpoint, rounded to the nearest float.
     pub fn to_f64(&self) -> f64 {
         let sum = &self.low + &self.high;
         dashu_ratio::RBig::from_parts_signed(sum, IBig::ONE << (self.bits + 1)).to_f64().value()
@@ -140,39 +140,38 @@ impl Enclosure {
         if self.low == self.high {
             return end(&self.low).into();
         }
-        // both ends belong to it, but not to the open interval in which is looked
+        // the search is in an open interval, slightly larger than this closed one
         let (low, high) = (end(&(&self.low - IBig::ONE)), end(&(&self.high + IBig::ONE)));
         dashu_ratio::RBig::simplest_in(low, high).into()
     }
 
-    /// Half of the width, as a float that is not too small.
+    /// Half of the width, as a float rounded up.
     pub fn radius(&self) -> f64 {
         let width = dashu_ratio::RBig::from_parts_signed(&self.high - &self.low, IBig::ONE << (self.bits + 1));
         width.to_f64().value().next_up()
     }
 
-    /// The interval in multiples of a smaller power of two.
+    /// The interval with a higher precision.
     pub fn finer(self, bits: usize) -> Self {
         let more = bits.saturating_sub(self.bits);
         Enclosure { low: self.low << more, high: self.high << more, bits: self.bits + more }
     }
 
-    /// The two cells of width 2^-bits in which the middle most probably lies: the one with it, and the next on the nearer
-    /// side.
+    /// The two cells of width 2^-bits most likely to contain the midpoint: the one with it, and the nearer neighbour.
     pub(super) fn cells(&self, bits: usize) -> [IBig; 2] {
         let doubled = &self.low + &self.high;
         let halves = match (self.bits).checked_sub(bits) {
             Some(down) => doubled >> down,
             None => doubled << (bits - self.bits),
         };
-        // doubled middle / 2: the lowest bit gives the side
+        // half of the doubled midpoint: the lowest bit gives the side
         let cell = &halves >> 1;
         let upper = &halves - (&cell << 1) == IBig::ONE;
         let beside = if upper { &cell + IBig::ONE } else { &cell - IBig::ONE };
         [cell, beside]
     }
 
-    /// Both enclosures with the smaller number of bits; only one that has more is copied.
+    /// Both enclosures with the lower precision; only the finer one is copied.
     fn level<'a>(&'a self, other: &'a Self) -> (Cow<'a, Self>, Cow<'a, Self>) {
         let bits = self.bits.min(other.bits);
         (self.coarser(bits), other.coarser(bits))
@@ -220,7 +219,7 @@ impl Mul for &Enclosure {
         if a.is_zero() || b.is_zero() {
             return Enclosure { low: IBig::ZERO, high: IBig::ZERO, bits };
         }
-        // the signs tell which ends make the least and the greatest product, unless zero lies within both
+        // signs determine which ends give the extreme products, unless both intervals contain zero
         let side = |x: &Enclosure| i32::from(x.low >= IBig::ZERO) - i32::from(x.high <= IBig::ZERO);
         let (low, high) = match (side(&a), side(&b)) {
             (1, 1) => (&a.low * &b.low, &a.high * &b.high),

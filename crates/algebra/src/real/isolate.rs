@@ -1,29 +1,29 @@
-//! Isolation of all real roots: Descartes' rule of signs with bisection.
+//! Isolation of real roots by Descartes' rule of signs and bisection.
 //!
-//! The number of roots of q between 0 and 1 is at most the number of sign changes in the coefficients of
-//! (x+1)^n q(1/(x+1)), and of the same parity: none and one are exact, more are halved again. For polynomials without
-//! repeated roots this ends (Vincent's theorem).
+//! The number of roots of q between 0 and 1 is at most the number of sign changes in the coefficients of (x+1)^n
+//! q(1/(x+1)), and of equal parity. No change and one change are therefore exact; otherwise the interval is bisected.
+//! For polynomials without repeated roots this terminates (Vincent's theorem).
 
 use super::{Number, Polynomial, Root};
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
 use std::sync::Arc;
 
-/// The number of halvings after which repeated roots are suspected, sought and removed.
+/// The number of bisections after which repeated roots are removed.
 const PATIENCE: usize = 96;
 
 impl Polynomial {
-    /// Every real root once, in ascending order; none for a constant or zero.
+    /// The distinct real roots in ascending order; empty for a constant or zero.
     pub fn real_roots(&self) -> Vec<Root> {
         let whole = self.primitive();
         whole.isolated(PATIENCE).unwrap_or_else(|| {
             let simple = whole.square_free();
-            // its roots are simple, so that halving ends
+            // its roots are simple, so that bisection terminates
             simple.isolated(usize::MAX).unwrap_or_default()
         })
     }
 
-    /// `None` where the halving went on for too long.
+    /// The roots; `None` where the number of bisections exceeds `patience`.
     fn isolated(&self, patience: usize) -> Option<Vec<Root>> {
         let own = Arc::new(self.clone());
         let mut roots = Vec::new();
@@ -72,7 +72,7 @@ struct DyadicInterval {
     halvings: usize,
 }
 
-/// The roots of q in the open interval between 0 and 1, which stands for the place, in ascending order.
+/// Finds the roots of q in (0, 1), which represents the interval `place`, in ascending order.
 fn halve(q: Polynomial, place: DyadicInterval, patience: usize, found: &mut Vec<(DyadicInterval, bool)>) -> Option<()> {
     let Some(degree) = q.degree() else { return Some(()) };
     let reversed = Polynomial::new(q.coefficients().iter().rev().cloned().collect());
@@ -93,7 +93,7 @@ fn halve(q: Polynomial, place: DyadicInterval, patience: usize, found: &mut Vec<
     let upper = at + IBig::ONE;
     let right = if middle {
         found.push((DyadicInterval { at: upper.clone(), halvings }, true));
-        // a second zero is a repeated root
+        // a second zero there is a repeated root
         let rest = Polynomial::new(right.coefficients()[1..].to_vec());
         if rest.coefficients().first().is_some_and(Number::is_zero) {
             return None;
@@ -105,7 +105,7 @@ fn halve(q: Polynomial, place: DyadicInterval, patience: usize, found: &mut Vec<
     halve(right, DyadicInterval { at: upper, halvings }, patience, found)
 }
 
-/// q(x + 1).
+/// The coefficients of q(x + 1).
 fn shifted(q: &Polynomial) -> Polynomial {
     let mut c = q.coefficients().to_vec();
     for i in 0..c.len() {
@@ -121,10 +121,10 @@ fn changes(q: &Polynomial) -> usize {
     signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
 }
 
-/// k such that every root is smaller than 2^k: 2 max |c_i / c_n|^(1/(n-i)) (Fujiwara), by the numbers of bits.
+/// An exponent k such that every root is smaller than 2^k: 2 max |c_i / c_n|^(1/(n-i)) (Fujiwara), from bit lengths.
 fn bound(q: &Polynomial) -> isize {
     let Some(degree) = q.degree() else { return 0 };
-    // bits of a bound from above and from below, of the coefficient's size
+    // upper and lower bound of the magnitude of a coefficient, in bits
     let high = |c: &Number| log2(c).1;
     let low = log2(&q.lead()).0;
     let each = q.coefficients()[..degree].iter().enumerate().filter(|(_, c)| !c.is_zero());
@@ -135,7 +135,7 @@ fn bound(q: &Polynomial) -> isize {
     each.map(of).max().unwrap_or(0) + 1
 }
 
-/// Two powers of two between which a number that is not zero lies.
+/// Exponents of two that bound the magnitude of a nonzero number.
 fn log2(c: &Number) -> (isize, isize) {
     if let Some(n) = c.as_integer() {
         let bits = n.bit_len() as isize;

@@ -1,35 +1,36 @@
-//! Fixed points of maps that depend on a parameter, for every value of a range at once.
+//! Fixed points of maps with a parameter, enclosed for all values of the parameter in a range at once (Krawczyk).
 //!
-//! With c a curve near the fixed points of R and Y near (1 - DR)^-1, both polynomials in the parameter, Krawczyk's operator on the
-//! boxes X = c + [-r, r] is
+//! Let c be an approximation of the fixed points of R and Y one of (1 - DR)^-1, both polynomials in the parameter. On
+//! the boxes X = c + [-r, r] Krawczyk's operator is
 //!
 //!   K(X) = c + Y (R(c) - c) + (1 - Y (1 - DR(X))) [-r, r] .
 //!
-//! Where K(X) lies inside X for every value of the parameter, R has one fixed point in X for each, and it lies in K(X). R(c) and DR(X)
-//! are Taylor models in the parameter, and so is K.
+//! If K(X) lies in the interior of X for every value of the parameter, R has exactly one fixed point in X for each, and
+//! it lies in K(X). R(c), DR(X) and K are Taylor models in the parameter.
 
 use super::{Model, Ordered, Rounded};
 
-/// One fixed point for each value of the parameter.
+/// A fixed point as a function of the parameter.
 #[derive(Clone, Debug)]
 pub struct FixedPoint<M> {
-    /// The enclosures of its components.
+    /// The enclosures of its components, as Taylor models.
     pub place: Vec<M>,
-    /// The derivative of the map there, row after row.
+    /// The derivative of the map at the fixed point, row by row.
     pub slopes: Vec<Vec<M>>,
 }
 
-/// The values of a map, and its derivative row after row.
+/// The values of a map, and its derivative row by row.
 pub type Mapped<S> = (Vec<S>, Vec<Vec<S>>);
 
-/// The number of boxes that are tried: larger and larger until one holds the fixed point, then smaller.
+/// The number of box sizes tried: increasing until one is proved, then decreasing.
 const TRIALS: usize = 2;
-/// A centre is moved as long as its distance shrinks to this part.
+/// The centre is corrected as long as the correction shrinks by this factor.
 const NEARER: f64 = 0.1;
 
 impl<C: Rounded, const N: usize> FixedPoint<Model<C, N>> {
-    /// The fixed point near `centre`, with `inverse` near (1 - DR)^-1, row after row, in boxes of this radius at least: they
-    /// hold no other one. `value` gives R, `derivative` DR too. `None` where K(X) does not lie inside X.
+    /// The fixed point near `centre`, where `inverse` approximates (1 - DR)^-1 row by row, in boxes of at least the
+    /// radius `least`, which contain no other fixed point. `value` gives R, `derivative` both R and DR. `None` where
+    /// the proof fails.
     pub fn near(
         centre: &[Model<C, N>],
         inverse: &[Vec<Model<C, N>>],
@@ -46,7 +47,7 @@ impl<C: Rounded, const N: usize> FixedPoint<Model<C, N>> {
         let sizes = |all: &[Model<C, N>]| all.iter().map(Model::size).collect::<Vec<f64>>();
         let largest = |all: &[Model<C, N>]| sizes(all).into_iter().fold(0.0, f64::max);
         let (mut centre, mut newton) = (centre.to_vec(), correction(centre)?);
-        // floats may have found it to fewer digits than these numbers have
+        // the given centre may have fewer digits than these numbers
         loop {
             let next: Vec<_> = centre.iter().zip(&newton).map(|(c, by)| c.plus(by).polynomial()).collect();
             let Some(left) = correction(&next).filter(|left| largest(left) < NEARER * largest(&newton)) else { break };
@@ -59,7 +60,7 @@ impl<C: Rounded, const N: usize> FixedPoint<Model<C, N>> {
             let boxes: Vec<_> = centre.iter().zip(&radius).map(|(c, r)| c.wider(*r)).collect();
             let (_, slopes) = derivative(&boxes)?;
             let shares = inverse.iter().enumerate().map(|(i, row)| {
-                // row i of 1 - Y (1 - DR), by size, on [-r, r]
+                // row i of |1 - Y (1 - DR)| times r
                 let share = |j: usize| {
                     let unit = |k: usize| number(if k == j { 1.0 } else { 0.0 });
                     let left: Vec<_> = (0..row.len()).map(|k| unit(k).minus(&slopes[k][j])).collect();
@@ -69,14 +70,14 @@ impl<C: Rounded, const N: usize> FixedPoint<Model<C, N>> {
             });
             let shares: Vec<f64> = shares.collect();
             let reach: Vec<f64> = newton_size.iter().zip(&shares).map(|(n, share)| (n + share).next_up()).collect();
-            // not by negation: NaN lies nowhere
+            // not by negation: a comparison with NaN is false
             if found.is_some() || reach.iter().zip(&radius).all(|(reach, radius)| reach < radius) {
                 let step = |k: usize| centre[k].plus(&newton[k]).wider(shares[k]);
                 found = Some(FixedPoint { place: (0..centre.len()).map(step).collect(), slopes });
                 if shares.iter().zip(&newton_size).all(|(share, size)| share <= size) {
                     break;
                 }
-                // it lies in K(X), and so in K of any box about that
+                // the fixed point lies in K(X), hence in K of any box around that
                 radius = reach;
             } else {
                 radius = reach.iter().map(|reach| 2.0 * reach).collect();
@@ -95,7 +96,7 @@ mod tests {
     use super::*;
     use crate::real::TaylorModel;
 
-    /// R(x, y) = (x - (x^2 - h)/4, (x + y)/2 - h/5) on x about the root of h: y = x - 2 h/5.
+    /// R(x, y) = (x - (x^2 - h)/4, (x + y)/2 - h/5), with the fixed point x = sqrt(h), y = x - 2 h/5.
     fn enclosed(low: f64, high: f64, slope: f64) -> Option<FixedPoint<TaylorModel>> {
         let h = TaylorModel::over_range(low, high);
         let number = TaylorModel::constant;
@@ -110,7 +111,7 @@ mod tests {
         };
         let at_nodes = |f: &dyn Fn(f64) -> f64| TaylorModel::through(TaylorModel::nodes().map(|tau| f(h.at(tau))));
         let root = |h: f64| h.abs().sqrt();
-        // off by an error that Newton's step has to correct
+        // off by an error that Newton's step must correct
         let centre = [at_nodes(&|h| root(h) + 1e-5), at_nodes(&|h| root(h) - 0.4 * h)];
         // (1 - DR)^-1 with DR = [[1 - x/2, 0], [1/2, 1/2]]
         let inverse =
@@ -132,7 +133,7 @@ mod tests {
         }
     }
 
-    /// At h = 0 two fixed points meet; and with a derivative that is not the map's nothing is inside.
+    /// At h = 0 two fixed points meet; with a wrong derivative the proof fails.
     #[test]
     fn where_it_is_not_simple_or_the_derivative_is_wrong_nothing_is_said() {
         assert!(enclosed(-0.1, 0.1, 0.5).is_none());

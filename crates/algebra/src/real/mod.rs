@@ -1,23 +1,24 @@
-//! Real roots of polynomials, exactly: their number, their places, and the signs of expressions at them.
+//! Exact real roots of polynomials: their number, isolation, and the signs of expressions at them.
 //!
 //! # Overview
 //! * [`Number`]: an integer, or an integer polynomial in one real algebraic number ([`Field`]);
-//! * [`Polynomial`]: one unknown, such coefficients; greatest common divisors, remainders, subresultants (`resultant`);
-//! * [`Root`]: one real root, as a polynomial and an interval that holds exactly one of its roots;
-//! * [`Nested`]: one real root of a polynomial whose coefficients are polynomials in another;
-//! * `isolate`: all real roots, by Descartes' rule of signs; `sturm`: their number once more, by Sturm's theorem;
-//! * [`Enclosure`]: an interval between multiples of a power of two, rounded outwards;
-//! * [`TaylorModel`]: a function of a parameter as a polynomial and a bound of the rest, in floats rounded outwards; [`Ball`]: one number in this
-//!   form, to thirty digits;
-//! * [`FixedPoint`]: the fixed point of a map that depends on a parameter, enclosed for every value of a range;
-//! * [`Surd`]: a fraction and a multiple of one square root;
-//! * [`Tower`]: likewise with two square roots;
-//! * [`Conic`]: functions on a conic, and the points at which one vanishes;
+//! * [`Polynomial`]: univariate polynomials with such coefficients; greatest common divisors, remainders, subresultants
+//!   (`resultant`);
+//! * [`Root`]: one real root, as a polynomial with an isolating interval;
+//! * [`Nested`]: one real root of a polynomial whose coefficients are polynomials in another root;
+//! * `isolate`: all real roots, by Descartes' rule of signs; `sturm`: their number, independently by Sturm's theorem;
+//! * [`Enclosure`]: an interval with ends that are multiples of a power of two, rounded outwards;
+//! * [`TaylorModel`]: a function of a parameter as a polynomial with a bound of the remainder, in floats rounded
+//!   outwards; [`Ball`]: one number in this form, to thirty digits;
+//! * [`FixedPoint`]: the fixed point of a map with a parameter, enclosed for every value of a range;
+//! * [`Surd`]: a fraction plus a multiple of one square root;
+//! * [`Tower`]: the same with two square roots;
+//! * [`Conic`]: functions on a conic, and their zeros;
 //! * [`Ordered`]: the common trait of enclosures and fractions: operations, and a sign that may be unknown.
 //!
 //! # Key results
-//! No decision rests on rounding. A sign is found by an enclosure that excludes zero, or by a common divisor that
-//! proves zero. Polynomials count up to a positive factor: only their roots and signs are used.
+//! No decision depends on rounding. A sign is determined by an enclosure that excludes zero, or by a common divisor
+//! that proves zero. Polynomials are represented up to a positive factor: only their roots and signs are used.
 //!
 //! ```
 //! use dalembert_algebra::real::Polynomial;

@@ -1,28 +1,28 @@
-//! Real roots of polynomials whose coefficients are polynomials in another real root, without building the field of
-//! both.
+//! Real roots of polynomials whose coefficients are polynomials in another real root, without constructing the
+//! extension field of both.
 //!
-//! Every sign that is needed is that of a polynomial at the first root, which is known exactly; the roots of the second
-//! polynomial are counted by Sturm's theorem and separated by halving.
+//! Every sign needed is that of a polynomial at the first root, which is exact. The roots of the second polynomial are
+//! counted by Sturm's theorem and separated by bisection.
 
 use super::{Enclosure, Polynomial, Root};
 use dashu_int::IBig;
 
-/// A real root s of sum c_j(x) s^j at a root x: the only one between two multiples of 2^-scale, neither of them a root.
+/// A real root s of sum c_j(x) s^j at a root x: the only one between two multiples of 2^-scale, which are no roots.
 #[derive(Clone, Debug)]
 pub struct Nested {
     base: Root,
-    /// Without repeated roots, the constant first.
+    /// The coefficients, the constant first, of a polynomial without repeated roots.
     polynomial: Vec<Polynomial>,
     low: IBig,
     high: IBig,
     scale: usize,
-    /// The sign at the lower end.
+    /// The sign of the polynomial at the lower end.
     below: i32,
 }
 
 impl Nested {
-    /// All such roots in ascending order, each once; the coefficients with the constant first. None for a
-    /// polynomial that vanishes at x.
+    /// All distinct such roots in ascending order; `coefficients` begin with the constant. Empty for a polynomial that
+    /// vanishes at x.
     pub fn roots(base: &Root, coefficients: &[Polynomial]) -> Vec<Self> {
         let Over { base, parts: polynomial } = Over::new(base, coefficients).square_free();
         let over = Over { base, parts: polynomial };
@@ -52,7 +52,7 @@ impl Nested {
         roots
     }
 
-    /// Within 2^-bits.
+    /// An enclosure of width at most 2^-bits.
     pub fn enclosure(&self, bits: usize) -> Enclosure {
         let over = Over { base: &self.base, parts: self.polynomial.clone() };
         let (mut low, mut high, mut scale) = (self.low.clone(), self.high.clone(), self.scale);
@@ -64,7 +64,7 @@ impl Nested {
         Enclosure::new(low, high, scale).finer(bits + 2)
     }
 
-    /// The sign of another polynomial of this kind at (x, s): -1, 0 or 1.
+    /// The sign of another polynomial of this form at (x, s): -1, 0 or 1.
     pub fn sign_of(&self, other: &[Polynomial]) -> i32 {
         let (own, other) = (Over { base: &self.base, parts: self.polynomial.clone() }, Over::new(&self.base, other));
         if other.parts.is_empty() {
@@ -88,7 +88,7 @@ impl Nested {
     }
 }
 
-/// A polynomial over the numbers that polynomials take at a root; its leading coefficient does not vanish there.
+/// A polynomial whose coefficients are polynomials at a root x; its leading coefficient does not vanish there.
 struct Over<'a> {
     base: &'a Root,
     parts: Vec<Polynomial>,
@@ -163,7 +163,7 @@ impl<'a> Over<'a> {
         Chain(chain)
     }
 
-    /// The sign at n / 2^scale.
+    /// The sign at s = n / 2^scale.
     fn sign(&self, n: &IBig, scale: usize) -> i32 {
         let mut sum = Polynomial::default();
         for (steps, c) in self.parts.iter().rev().enumerate() {
@@ -173,7 +173,7 @@ impl<'a> Over<'a> {
         self.base.sign_of(&sum)
     }
 
-    /// k such that all roots are smaller than 2^k (Cauchy: 1 + max |c_j/c_n|); `None` without roots.
+    /// An exponent k such that all roots are smaller than 2^k (Cauchy: 1 + max |c_j/c_n|); `None` without roots.
     fn bound(&self) -> Option<usize> {
         let (lead, lower) = self.parts.split_last().filter(|(_, lower)| !lower.is_empty())?;
         let mut bits = 64;
@@ -189,13 +189,13 @@ impl<'a> Over<'a> {
         }
     }
 
-    /// An interval with a point between its ends, as near to the middle as no root is, on a finer scale.
+    /// An interval, a point within it that is close to the middle and no root, and the finer scale.
     fn divided(&self, low: &IBig, high: &IBig, scale: usize) -> (IBig, IBig, IBig, usize) {
         let mut finer = 1;
         loop {
             let (low, high) = (low << finer, high << finer);
             let middle = (&low + &high) / IBig::from(2);
-            // the next candidates lie beside the middle
+            // the next candidates are on both sides of the middle
             for candidate in [middle.clone(), middle + IBig::ONE] {
                 if candidate > low && candidate < high && self.sign(&candidate, scale + finer) != 0 {
                     return (low, candidate, high, scale + finer);
@@ -221,7 +221,7 @@ mod tests {
         Polynomial::from_integers(c.iter().copied())
     }
 
-    /// sqrt(2)
+    /// The root sqrt(2).
     fn base() -> Root {
         poly(&[-2, 0, 1]).real_roots().pop().unwrap()
     }

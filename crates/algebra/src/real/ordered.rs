@@ -1,26 +1,26 @@
-//! Numbers whose signs decide.
+//! The trait of exact and enclosed numbers with signs.
 
 use super::Enclosure;
 use dashu_int::IBig;
 use field::Rational;
 
-/// A number of a field, known exactly or enclosed.
+/// A number that is exact or enclosed.
 pub trait Ordered: Clone {
-    /// A fraction, as finely as this number; `None` where it is undefined.
+    /// A fraction in the precision of this number; `None` where it is undefined.
     fn fraction(&self, value: Rational) -> Option<Self>;
-    /// An integer, as finely as this number.
+    /// An integer in the precision of this number.
     fn integer(&self, n: i64) -> Self;
-    /// a + b
+    /// The sum a + b.
     fn plus(&self, b: &Self) -> Self;
-    /// a - b
+    /// The difference a - b.
     fn minus(&self, b: &Self) -> Self;
-    /// a b
+    /// The product a b.
     fn times(&self, b: &Self) -> Self;
-    /// a / b, `None` where b may be zero.
+    /// The quotient a / b; `None` where b may be zero.
     fn over(&self, b: &Self) -> Option<Self>;
-    /// The square root, `None` where it is not known in this field.
+    /// The square root; `None` where it is not available in this type.
     fn root(&self) -> Option<Self>;
-    /// -1, 0 or 1; `None` where it is not known.
+    /// The sign: -1, 0 or 1; `None` where it is unknown.
     fn sign(&self) -> Option<i32>;
 }
 

@@ -1,4 +1,4 @@
-//! Polynomials in one unknown.
+//! Univariate polynomials.
 
 use super::{Enclosure, Number};
 use dashu_int::IBig;
@@ -6,54 +6,54 @@ use dashu_int::ops::{Gcd, UnsignedAbs};
 use field::Rational;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// Coefficients from the constant upwards; the last is not zero.
+/// A polynomial: coefficients from the constant upwards; the last one is nonzero.
 #[derive(Clone, Debug, Default)]
 pub struct Polynomial(Vec<Number>);
 
 impl Polynomial {
-    /// From coefficients, the constant first.
+    /// The polynomial with these coefficients, the constant first.
     pub fn new(coefficients: Vec<Number>) -> Self {
         Polynomial(coefficients).trimmed()
     }
 
-    /// From integers, the constant first.
+    /// The polynomial with these integer coefficients, the constant first.
     pub fn from_integers<N: Into<IBig>>(coefficients: impl IntoIterator<Item = N>) -> Self {
         Self::new(coefficients.into_iter().map(|n| Number::from(n.into())).collect())
     }
 
-    /// The integer polynomial without a common factor that is a positive multiple of this one, the constant first.
-    /// `None` where a coefficient is undefined.
+    /// The primitive integer polynomial that is a positive multiple of the given one, the constant first. `None` where
+    /// a coefficient is undefined.
     pub fn from_rationals(coefficients: &[Rational]) -> Option<Self> {
         let (whole, _) = Number::over_common(coefficients)?;
         Some(Self::new(whole).primitive())
     }
 
-    /// A constant.
+    /// The constant polynomial.
     pub fn constant(value: Number) -> Self {
         Self::new(vec![value])
     }
 
-    /// Coefficients from the constant upwards.
+    /// The coefficients, from the constant upwards.
     pub fn coefficients(&self) -> &[Number] {
         &self.0
     }
 
-    /// `None` for zero.
+    /// The degree; `None` for zero.
     pub fn degree(&self) -> Option<usize> {
         self.0.len().checked_sub(1)
     }
 
-    /// Whether it is zero.
+    /// Whether the polynomial is zero.
     pub fn is_zero(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// The coefficient of the highest power; zero for zero.
+    /// The leading coefficient; zero for the zero polynomial.
     pub fn lead(&self) -> Number {
         self.0.last().cloned().unwrap_or_else(Number::zero)
     }
 
-    /// All coefficients as integers, where they are.
+    /// The coefficients as integers; `None` where one is no integer.
     pub fn integers(&self) -> Option<Vec<IBig>> {
         self.0.iter().map(Number::as_integer).collect()
     }
@@ -64,7 +64,7 @@ impl Polynomial {
         Polynomial(terms.map(|(power, c)| c * &Number::from(power as i64)).collect())
     }
 
-    /// Divided by the greatest positive integer that divides all coefficients.
+    /// The polynomial divided by the largest positive integer that divides all coefficients.
     pub fn primitive(&self) -> Self {
         let mut common = dashu_int::UBig::ZERO;
         for part in self.0.iter().flat_map(|c| c.parts()).filter(|part| **part != IBig::ZERO) {
@@ -80,18 +80,18 @@ impl Polynomial {
         Polynomial(self.0.iter().map(|c| c.map(|part| part / &common)).collect())
     }
 
-    /// The remainder of a positive multiple.
+    /// The remainder of a positive multiple modulo the divisor.
     pub fn remainder(&self, divisor: &Self) -> Self {
         self.divided(divisor, None).1
     }
 
-    /// The quotient of this, times the divisor's leading coefficient to this power (at least the degrees' difference + 1),
-    /// by a divisor without remainder.
+    /// The quotient by a divisor, exact after multiplication with the divisor's leading coefficient to this power,
+    /// which is at least the difference of the degrees plus 1.
     pub fn quotient(&self, divisor: &Self, power: usize) -> Self {
         self.divided(divisor, Some(power)).0
     }
 
-    /// Quotient and remainder of a multiple: by |lead|^k with the least k, or by lead^power.
+    /// Quotient and remainder of a multiple: by |lead|^k with the smallest k, or by lead^power.
     fn divided(&self, divisor: &Self, power: Option<usize>) -> (Self, Self) {
         let Some(degree) = divisor.degree() else { return (Self::default(), self.clone()) };
         let lead = divisor.lead();
@@ -120,7 +120,7 @@ impl Polynomial {
         (Polynomial(quotient).trimmed(), rest)
     }
 
-    /// The greatest common divisor, by Euclid, up to a factor; zero where both are zero.
+    /// The greatest common divisor by Euclid's algorithm, up to a factor; zero where both are zero.
     pub fn gcd(&self, other: &Self) -> Self {
         let (mut a, mut b) = (self.primitive(), other.primitive());
         while !b.is_zero() {
@@ -130,7 +130,7 @@ impl Polynomial {
         a
     }
 
-    /// The polynomial with the same roots, each once.
+    /// The polynomial with simple roots at the roots of this one.
     pub fn square_free(&self) -> Self {
         let repeated = self.gcd(&self.derivative());
         match repeated.degree() {
@@ -139,7 +139,7 @@ impl Polynomial {
         }
     }
 
-    /// The values on an interval.
+    /// An enclosure of the values on an interval.
     pub fn enclosure(&self, at: &Enclosure, bits: usize) -> Enclosure {
         let mut sum = Enclosure::integer(IBig::ZERO, bits);
         for c in self.0.iter().rev() {

@@ -1,18 +1,18 @@
-//! Subresultants of two polynomials whose coefficients are polynomials.
+//! Subresultants of polynomials with polynomial coefficients.
 
 use super::Polynomial;
 use std::collections::BTreeMap;
 
 /// The coefficients, from the constant upwards, of the k-th subresultant of two polynomials in x with coefficients in
-/// another unknown; the 0th is the resultant. Where all before it vanish and its leading one does not, it is the greatest
-/// common divisor.
+/// another unknown. The 0th is the resultant. The first one with a nonzero leading coefficient is the greatest common
+/// divisor.
 pub fn subresultant(a: &[Polynomial], b: &[Polynomial], k: usize) -> Vec<Polynomial> {
     let (Some(m), Some(n)) = (a.len().checked_sub(1), b.len().checked_sub(1)) else { return Vec::new() };
     if k > m.min(n) {
         return Vec::new();
     }
     let size = m + n - 2 * k;
-    // rows x^(n-k-1) a, ..., a, x^(m-k-1) b, ..., b; columns the powers m + n - k - 1, ..., k + 1, and last the power i
+    // rows x^(n-k-1) a, ..., a, x^(m-k-1) b, ..., b; columns: the powers m + n - k - 1, ..., k + 1, then the power i
     let rows: Vec<(&[Polynomial], usize)> =
         (0..n - k).rev().map(|s| (a, s)).chain((0..m - k).rev().map(|s| (b, s))).collect();
     let entry = |row: usize, power: usize| {
@@ -26,7 +26,7 @@ pub fn subresultant(a: &[Polynomial], b: &[Polynomial], k: usize) -> Vec<Polynom
     (0..=k).map(coefficient).collect()
 }
 
-/// Laplace expansion by rows, without division: the minors of the first rows, by the columns that they use.
+/// The determinant by Laplace expansion along the rows, without division; minors are indexed by their columns.
 fn determinant(size: usize, entry: impl Fn(usize, usize) -> Polynomial) -> Polynomial {
     let mut minors = BTreeMap::from([(0u32, Polynomial::from_integers([1]))]);
     for row in 0..size {

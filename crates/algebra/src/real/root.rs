@@ -1,4 +1,4 @@
-//! A real root of a polynomial: an interval that holds exactly one.
+//! A real root of a polynomial, with an isolating interval.
 
 use super::{Enclosure, Number, Polynomial};
 use dashu_int::IBig;
@@ -7,17 +7,18 @@ use field::Rational;
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-/// The number of halvings after which equality is tested.
+/// The number of bisections after which equality is tested.
 const SUSPECT: usize = 256;
 
-/// The only root of a polynomial in the open interval (at, at + 1) / 2^scale, and a simple one; or at / 2^scale itself.
+/// The only root, and a simple one, of a polynomial in the open interval (at, at + 1) / 2^scale; or at / 2^scale
+/// itself.
 #[derive(Clone, Debug)]
 pub struct Root {
     polynomial: Arc<Polynomial>,
     at: IBig,
     scale: isize,
     exact: bool,
-    /// The polynomial's sign at the lower end.
+    /// The sign of the polynomial just above the lower end.
     below: i32,
 }
 
@@ -26,9 +27,9 @@ impl Root {
         Root { polynomial, at, scale, exact: true, below: 0 }
     }
 
-    /// Halves the interval until neither end is a root.
+    /// The root in an interval, bisected until neither end is a root.
     pub(super) fn between(polynomial: Arc<Polynomial>, at: IBig, scale: isize) -> Self {
-        // where an end is another root, the sign next to it is the derivative's
+        // if the end is another root, the sign next to it is that of the derivative
         let mut below = sign_at(&polynomial, &at, scale);
         if below == 0 {
             below = sign_at(&polynomial.derivative(), &at, scale);
@@ -43,7 +44,7 @@ impl Root {
         root
     }
 
-    /// A rational number.
+    /// A rational number as a root; `None` where it is undefined.
     pub fn rational(value: Rational) -> Option<Self> {
         let big = value.to_big()?;
         let (numerator, denominator) = big.into_parts();
@@ -51,14 +52,14 @@ impl Root {
         polynomial.real_roots().pop()
     }
 
-    /// The polynomial of which it is a root; its other roots may be repeated, this one is not.
+    /// The polynomial that has this root as a simple one.
     pub fn polynomial(&self) -> &Polynomial {
         &self.polynomial
     }
 
-    /// n times this root, n not zero.
+    /// The root times n, n not zero.
     pub(super) fn times(&self, n: &IBig) -> Self {
-        // p(x/n) n^degree
+        // the coefficients of p(x/n) n^degree
         let degree = self.polynomial.degree().unwrap_or(0);
         let scaled = self.polynomial.map(|power, c| c * &Number::from(n.pow(degree - power)));
         let near = |other: &Root| {
@@ -98,7 +99,7 @@ impl Root {
         }
     }
 
-    /// Whether the root is a root of a divisor of its polynomial: the divisor can have no other root in the interval.
+    /// Whether this is a root of a divisor of its polynomial, which can have no other root in the interval.
     fn is_root_of_factor(&self, factor: &Polynomial) -> bool {
         if factor.degree().is_none_or(|degree| degree == 0) {
             return false;
@@ -109,7 +110,7 @@ impl Root {
         sign_at(factor, &self.at, self.scale) * sign_at(factor, &(&self.at + IBig::ONE), self.scale) < 0
     }
 
-    /// Smaller, equal or greater.
+    /// Compares two roots, exactly.
     pub fn compare(&self, other: &Self) -> Ordering {
         let mut bits = 32;
         loop {
@@ -126,12 +127,12 @@ impl Root {
         }
     }
 
-    /// Whether two roots that agree to these bits are one number.
+    /// Whether two roots that agree to this precision are equal.
     fn equals(&self, other: &Self, bits: usize) -> bool {
         if self.sign_of(&other.polynomial) != 0 {
             return false;
         }
-        // a root of the other's polynomial, which has only one in the other's interval: is it in there?
+        // the root is also a root of the other's polynomial: equal if it lies in the other's isolating interval
         let mut finer = self.clone();
         finer.refine(bits.max(usize::try_from(other.scale).unwrap_or(0)));
         let Ok(finesse) = usize::try_from(finer.scale - other.scale) else {
@@ -146,7 +147,7 @@ impl Root {
         }
     }
 
-    /// Halves the interval until it is no wider than 2^-bits.
+    /// Narrows the interval to a width of at most 2^-bits.
     pub fn refine(&mut self, bits: usize) {
         while !self.exact && self.scale < bits as isize {
             if !self.leap(bits) {
@@ -155,8 +156,8 @@ impl Root {
         }
     }
 
-    /// Moves to the interval to which Newton's method points, with about twice the bits, if the signs at both of its ends
-    /// show that the root is in it: for any quality of the guess, since the signs are exact.
+    /// Narrows the interval by Newton's method to about twice the bits, if exact signs at the new ends prove that the
+    /// root lies within. Returns whether it succeeded.
     fn leap(&mut self, most: usize) -> bool {
         let Ok(scale) = usize::try_from(self.scale) else { return false };
         let work = 2 * scale.max(16) + 64;
@@ -191,14 +192,14 @@ impl Root {
         }
     }
 
-    /// Within 2^-bits, or 2^(1 - bits) where an end must be rounded.
+    /// An enclosure of width 2^-bits, or 2^(1 - bits) where an end is rounded.
     pub fn enclosure(&self, bits: usize) -> Enclosure {
         let mut finer = self.clone();
         finer.refine(bits);
         finer.interval(bits)
     }
 
-    /// The interval in which it was isolated, as far as it has been halved, rounded outwards to multiples of 2^-bits.
+    /// The present isolating interval, rounded outwards to multiples of 2^-bits.
     pub fn interval(&self, bits: usize) -> Enclosure {
         let shift = bits as isize - self.scale;
         let end = if self.exact { self.at.clone() } else { &self.at + IBig::ONE };
@@ -211,7 +212,7 @@ impl Root {
         }
     }
 
-    /// Both ends of the interval; equal where the root is known exactly.
+    /// The ends of the isolating interval; equal for an exact root.
     pub fn bounds(&self) -> [Rational; 2] {
         let end = if self.exact { self.at.clone() } else { &self.at + IBig::ONE };
         [&self.at, &end].map(|n| {
@@ -223,7 +224,7 @@ impl Root {
         })
     }
 
-    /// The number itself where it is rational and its polynomial is linear or the halving met it.
+    /// The value, if it is rational and its polynomial is linear or the bisection has hit it.
     pub fn as_rational(&self) -> Option<Rational> {
         if self.exact {
             return self.bounds().first().copied();
@@ -234,7 +235,7 @@ impl Root {
         }
     }
 
-    /// The nearest float, or one of its neighbours.
+    /// A float within one unit in the last place.
     pub fn to_f64(&self) -> f64 {
         let mut bits = 64;
         loop {

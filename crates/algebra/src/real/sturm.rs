@@ -1,9 +1,9 @@
-//! The number of real roots by Sturm's theorem: a second route, which shares no step with Descartes' rule.
+//! The number of real roots by Sturm's theorem: an independent check of Descartes' rule.
 
 use super::Polynomial;
 
 impl Polynomial {
-    /// The number of different real roots, by Sturm's chain. Zero for the zero polynomial, which has no isolated roots.
+    /// The number of distinct real roots by Sturm's chain; zero for the zero polynomial.
     pub fn count_by_sturm(&self) -> usize {
         let (mut a, mut b) = (self.primitive(), self.derivative().primitive());
         let mut ends = [signs_at_ends(&a)].to_vec();
@@ -17,7 +17,7 @@ impl Polynomial {
     }
 }
 
-/// The signs at minus and at plus infinity.
+/// The signs at minus infinity and at plus infinity.
 fn signs_at_ends(p: &Polynomial) -> [i32; 2] {
     let sign = p.lead().sign();
     let odd = p.degree().is_some_and(|degree| degree % 2 == 1);

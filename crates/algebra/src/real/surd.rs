@@ -1,10 +1,11 @@
-//! Fractions with one square root: a + b sqrt(d).
+//! Numbers a + b sqrt(d) with rational a, b, d.
 
 use super::Ordered;
 use field::Rational;
 use num_traits::Zero;
 
-/// a + b sqrt(d), d positive and no square. An operation on two with different d is undefined unless one is a fraction.
+/// The number a + b sqrt(d), where d is positive and no square. Operations on numbers with different d are undefined
+/// unless one of them is rational.
 #[derive(Clone, Copy, Debug)]
 pub struct Surd {
     pub(super) rational: Rational,
@@ -19,7 +20,7 @@ impl From<Rational> for Surd {
 }
 
 impl Surd {
-    /// The square root of a fraction; `None` where it is negative.
+    /// The square root of a fraction; `None` where it is negative or undefined.
     pub fn root_of(square: Rational) -> Option<Self> {
         if square.sign()? < 0 {
             return None;
@@ -30,17 +31,17 @@ impl Surd {
         }
     }
 
-    /// The value as a fraction, where it has no root.
+    /// The value as a fraction; `None` where it has a square root.
     pub fn as_fraction(&self) -> Option<Rational> {
         (self.factor.is_zero() && self.rational.is_defined()).then_some(self.rational)
     }
 
-    /// The nearest float, or one close to it: for display.
+    /// A float close to the value, for display.
     pub fn to_f64(&self) -> f64 {
         self.rational.to_f64() + self.factor.to_f64() * self.square.to_f64().sqrt()
     }
 
-    /// The square under the root that both have; undefined where they differ.
+    /// The common d of two numbers; undefined where they differ.
     fn common(&self, b: &Self) -> Rational {
         match (self.factor.is_zero(), b.factor.is_zero()) {
             (true, _) => b.square,
@@ -80,7 +81,7 @@ impl Ordered for Surd {
     }
 
     fn over(&self, b: &Self) -> Option<Self> {
-        // by the conjugate
+        // multiplication with the conjugate
         let norm = b.rational * b.rational - b.factor * b.factor * b.square;
         let turned = Surd { factor: -b.factor, ..*b };
         let product = self.times(&turned);
@@ -100,7 +101,7 @@ impl Ordered for Surd {
         if a == 0 {
             return Some(b);
         }
-        // the signs differ: the larger square decides
+        // the parts differ in sign: the larger square decides
         let larger = (self.rational * self.rational - self.factor * self.factor * self.square).sign()?;
         Some(if larger > 0 { a } else { b })
     }

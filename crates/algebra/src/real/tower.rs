@@ -1,10 +1,11 @@
-//! Fractions with two square roots: a + b sqrt(e), a and b with one root of their own.
+//! Numbers a + b sqrt(e), where a and b have a common square root of their own.
 
 use super::{Ordered, Surd};
 use field::Rational;
 use num_traits::Zero;
 
-/// a + b sqrt(e), e a positive fraction. An operation on two with different e is undefined unless one has no such root.
+/// The number a + b sqrt(e) with a positive fraction e. Operations on numbers with different e are undefined unless one
+/// of them has no such root.
 #[derive(Clone, Copy, Debug)]
 pub struct Tower {
     base: Surd,
@@ -19,7 +20,8 @@ impl From<Surd> for Tower {
 }
 
 impl Tower {
-    /// A number whose root stands beside that of another: equal roots are written once, and equal numbers alike.
+    /// A number for use together with another one: equal square roots are represented equally, so that equal numbers
+    /// are equal.
     pub fn beside(value: Surd, other: &Surd) -> Self {
         let (own, known) = (value.square, other.square);
         if value.factor.is_zero() || known.is_zero() {
@@ -32,7 +34,7 @@ impl Tower {
         }
     }
 
-    /// The nearest float, or one close to it: for display.
+    /// A float close to the value, for display.
     pub fn to_f64(&self) -> f64 {
         self.base.to_f64() + self.factor.to_f64() * self.square.to_f64().sqrt()
     }
@@ -41,7 +43,7 @@ impl Tower {
         self.factor.sign() == Some(0)
     }
 
-    /// The square under the root that both have; undefined where they differ.
+    /// The common e of two numbers; undefined where they differ.
     fn common(&self, b: &Self) -> Rational {
         match (self.is_simple(), b.is_simple()) {
             (true, _) => b.square,
@@ -82,7 +84,7 @@ impl Ordered for Tower {
     }
 
     fn over(&self, b: &Self) -> Option<Self> {
-        // by the conjugate
+        // multiplication with the conjugate
         let norm = b.base.times(&b.base).minus(&b.factor.times(&b.factor).times(&b.square.into()));
         let turned = Tower { factor: norm.integer(0).minus(&b.factor), ..*b };
         let product = self.times(&turned);
@@ -101,7 +103,7 @@ impl Ordered for Tower {
         if a == 0 {
             return Some(b);
         }
-        // the signs differ: the larger square decides
+        // the parts differ in sign: the larger square decides
         let other = self.factor.times(&self.factor).times(&self.square.into());
         let larger = self.base.times(&self.base).minus(&other).sign()?;
         Some(match larger {

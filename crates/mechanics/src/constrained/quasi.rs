@@ -1,14 +1,15 @@
-//! Lagrange's operator on an energy into which the constraints were substituted, and the terms that this loses.
+//! Lagrange's operator applied to an energy with substituted constraints, and the correction terms.
 //!
-//! With T(q, p, t) = 1/2 sum m_i x'_i(q, p, t)^2 and the fields X_j = dq'/dp_j the identity holds
+//! With T(q, p, t) = 1/2 sum m_i x'_i(q, p, t)^2 and the fields X_j = dq'/dp_j the following identity holds:
 //!
 //!   d/dt dT/dp_j - X_j(T) = sum m_i x''_i dx'_i/dp_j + lost_j ,
 //!   lost_j = sum m_i x'_i (d/dt dx'_i/dp_j - X_j(x'_i)) .
 //!
-//! The first sum equals the generalised force. The lost term vanishes where the fields and the motion are those of
-//! coordinates (their brackets are zero), or where the momenta in it vanish: substituting a kinematic constraint into the
-//! energy changes the equations unless it is integrable. In redundant coordinates these are Shulgin's equations
-//! ([`redundant`](super::redundant)), with x itself for q; linear quasi-velocities give Boltzmann's and Hamel's.
+//! The first sum equals the generalised force. The term `lost_j` vanishes where the brackets of the fields and the
+//! motion are zero (p are rates of coordinates), or where the momenta in it vanish: substituting a kinematic constraint
+//! into the energy changes the equations unless the constraint is integrable. In redundant coordinates, with q = x,
+//! these are Shulgin's equations ([`redundant`](super::redundant)); linear quasi-velocities give the equations of
+//! Boltzmann and Hamel.
 
 use super::motion::{Motion, velocity};
 use super::{Charted, kinetic_energy};
@@ -16,16 +17,16 @@ use crate::definite::{NotDefinite, root};
 use crate::differentiate::{along, fixed, unit};
 use field::{Analytic, Over, Tangent};
 
-/// Both sides of the identity but the first sum.
+/// The terms of the identity, except the first sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Operator<S, const R: usize> {
-    /// d/dt dT/dp_j - X_j(T)
+    /// The operator d/dt dT/dp_j - X_j(T).
     pub energy: [S; R],
-    /// lost_j
+    /// The correction terms lost_j.
     pub lost: [S; R],
 }
 
-/// The operator at (t, q, p) and the rates p'.
+/// The terms at (t, q, p) for the rates p'.
 pub fn operator<Q, S, const N: usize, const K: usize, const R: usize>(
     system: &Q,
     (time, q, p): (S, [S; K], [S; R]),
@@ -43,7 +44,7 @@ where
     let speeds = system.rates(time, q, p);
     let mut operator = Operator { energy: [S::zero(); R], lost: [S::zero(); R] };
     for j in 0..R {
-        // inside along the motion, outside p_j varied: the mixed derivative is d/dt d/dp_j
+        // inner derivative along the motion, outer one by p_j: the mixed derivative is d/dt d/dp_j
         let varied = velocity(
             system,
             Tangent::fixed(Tangent::variable(time)),
@@ -62,7 +63,7 @@ where
     operator
 }
 
-/// d/dt dT/dp_j - X_j(T) - lost_j - Q_j at the rates p'.
+/// The residual d/dt dT/dp_j - X_j(T) - lost_j - Q_j for the rates p'.
 pub fn residual<Q, S, const N: usize, const K: usize, const R: usize>(
     system: &Q,
     at: (S, [S; K], [S; R]),
@@ -79,10 +80,10 @@ where
     std::array::from_fn(|j| energy[j] - lost[j] - generalised[j])
 }
 
-/// p' by these equations.
+/// The rates p' for which the residual vanishes.
 ///
 /// # Errors
-/// [`NotDefinite`] names the first p whose field depends on those before it.
+/// [`NotDefinite`] with the index of the first p whose field depends on those before it.
 pub fn rates<Q, S, const N: usize, const K: usize, const R: usize>(
     system: &Q,
     (time, q, p): (S, [S; K], [S; R]),

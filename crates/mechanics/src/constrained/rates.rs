@@ -1,16 +1,17 @@
-//! Constraints differentiated along a motion, up to the accelerations.
+//! Time derivatives of constraints along a motion.
 
 use super::{Constrained, Constraint, State};
 use crate::differentiate::{along, unit};
 use field::{Over, Tangent};
 
-/// d^2f/dt^2 of the geometric and dphi/dt of the kinematic constraints, at an acceleration. They are affine in it.
+/// d^2f/dt^2 of geometric and dphi/dt of kinematic constraints, for a given acceleration. They are affine in the
+/// acceleration.
 pub fn rates<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: usize>(
     system: &Q,
     at: &State<S, N>,
     acceleration: [S; N],
 ) -> [S; C] {
-    // x moves twice: with x' outside, with x' and x'' inside
+    // second derivative along the motion: x' in the outer tangent, x' and x'' in the inner one
     let twice = |x: S, first: S, second: S| Tangent::moving(Tangent::moving(x, first), Tangent::moving(first, second));
     let still = S::zero();
     let moving = State {
@@ -24,7 +25,7 @@ pub fn rates<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: u
     })
 }
 
-/// df/dt of the geometric constraints at the velocity, and the kinematic ones themselves.
+/// df/dt of geometric constraints at the velocity, phi of kinematic ones.
 pub fn first_rates<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: usize>(
     system: &Q,
     at: &State<S, N>,
@@ -40,8 +41,8 @@ pub fn first_rates<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, cons
     })
 }
 
-/// The rows df/dx and dphi/dx': the coefficients of the accelerations in [`rates`], and the directions of ideal
-/// reactions.
+/// The Jacobian with the rows df/dx and dphi/dx': the coefficients of the accelerations in [`rates`], and the
+/// directions of ideal reactions.
 pub fn jacobian<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: usize>(
     system: &Q,
     at: &State<S, N>,

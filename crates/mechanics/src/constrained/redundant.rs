@@ -1,17 +1,18 @@
-//! Redundant coordinates: all coordinates are kept, and the constraints eliminate velocities.
+//! Redundant coordinates: all coordinates are kept, and the constraints eliminate dependent velocities.
 //!
-//! C constraints that are linear in the velocities give C of the velocities by the others, x'_a = sum A_aj x'_j + A_a0. All
-//! coordinates are kept: a chart with q = x and p the free velocities; its fields are Shulgin's operators E_j = d/dx_j +
-//! sum A_aj d/dx_a. Shulgin's equations d/dt dT*/dx'_j - E_j(T*) = X_j + sum A_aj X_a come from
-//! [`quasi`](super::quasi), with the term that they lose where the constraints are not integrable:
-//! lost_j = sum over a of m_a x'_a (dA_aj/dt - E_j(x'_a)).
+//! C constraints that are linear in the velocities express C of the velocities by the others, x'_a = sum A_aj x'_j +
+//! A_a0. This is a chart with q = x and the free velocities as p. Its fields are Shulgin's operators E_j = d/dx_j + sum
+//! A_aj d/dx_a. Shulgin's equations d/dt dT*/dx'_j - E_j(T*) = X_j + sum A_aj X_a follow from [`quasi`](super::quasi),
+//! with the correction term for constraints that are not integrable: lost_j = sum over a of m_a x'_a (dA_aj/dt -
+//! E_j(x'_a)).
 
 use super::rates::{first_rates, jacobian, rates};
 use super::{Charted, Constrained, PointSystem, State};
 use crate::definite::{NotDefinite, solve};
 use field::{Analytic, Over, Scalar};
 
-/// The coordinates that the constraints determine, the k-th one by the k-th; the others are free, in their order.
+/// The indices of the dependent coordinates, the k-th determined by constraint k, and of the free ones, in ascending
+/// order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Split<const N: usize, const C: usize, const F: usize> {
     dependent: [usize; C],
@@ -19,7 +20,7 @@ pub struct Split<const N: usize, const C: usize, const F: usize> {
 }
 
 impl<const N: usize, const C: usize, const F: usize> Split<N, C, F> {
-    /// A split by the places of the dependent coordinates; `None` where they are not C different ones of N = C + F.
+    /// A split with the given dependent coordinates; `None` where they are not C different indices below N = C + F.
     pub fn new(dependent: [usize; C]) -> Option<Self> {
         const { assert!(N == C + F, "dependent and free coordinates are all") };
         let mut others = (0..N).filter(|i| !dependent.contains(i));
@@ -28,7 +29,7 @@ impl<const N: usize, const C: usize, const F: usize> Split<N, C, F> {
         complete.then_some(Split { dependent, free })
     }
 
-    /// x from its dependent and free parts.
+    /// The vector x from its dependent and free components.
     fn join<S: Scalar>(&self, dependent: [S; C], free: [S; F]) -> [S; N] {
         let mut all = [S::zero(); N];
         for (&i, value) in self.dependent.iter().zip(dependent).chain(self.free.iter().zip(free)) {
@@ -38,27 +39,26 @@ impl<const N: usize, const C: usize, const F: usize> Split<N, C, F> {
     }
 }
 
-/// The vectors that satisfy the differentiated constraints: one of them, and the directions in which the others differ
-/// from it.
+/// The affine space of vectors that satisfy the differentiated constraints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Admissible<S, const N: usize, const F: usize> {
-    /// The vector whose free parts are zero.
+    /// The vector whose free components are zero.
     pub particular: [S; N],
-    /// The virtual displacements, one for a unit of each free coordinate.
+    /// The virtual displacements, one for a unit of each free component.
     pub directions: [[S; N]; F],
 }
 
 impl<S: Scalar, const N: usize, const F: usize> Admissible<S, N, F> {
-    /// The vector with these free parts.
+    /// The vector with the given free components.
     pub fn vector(&self, free: [S; F]) -> [S; N] {
         std::array::from_fn(|i| (0..F).fold(self.particular[i], |sum, j| sum + free[j] * self.directions[j][i]))
     }
 }
 
-/// The velocities that satisfy constraints linear in them.
+/// The velocities that satisfy constraints linear in the velocities.
 ///
 /// # Errors
-/// [`NotDefinite`] names the first constraint that does not determine its coordinate.
+/// [`NotDefinite`] with the index of the first constraint that does not determine its coordinate.
 pub fn velocities<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: usize, const F: usize>(
     system: &Q,
     split: &Split<N, C, F>,
@@ -69,10 +69,10 @@ pub fn velocities<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const
     admissible(split, jacobian(system, &at), first_rates(system, &at))
 }
 
-/// The accelerations that satisfy any constraints.
+/// The accelerations that satisfy the differentiated constraints.
 ///
 /// # Errors
-/// [`NotDefinite`] names the first constraint that does not determine its coordinate.
+/// [`NotDefinite`] with the index of the first constraint that does not determine its coordinate.
 pub fn accelerations<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: usize, const F: usize>(
     system: &Q,
     split: &Split<N, C, F>,
@@ -105,10 +105,10 @@ pub struct Redundant<'a, Q, const N: usize, const C: usize, const F: usize> {
 }
 
 impl<'a, Q: Constrained<N, C>, const N: usize, const C: usize, const F: usize> Redundant<'a, Q, N, C, F> {
-    /// The chart about a place at which the constraints determine the dependent velocities.
+    /// The chart near a position where the constraints determine the dependent velocities.
     ///
     /// # Errors
-    /// [`NotDefinite`] names the first constraint that does not determine its velocity.
+    /// [`NotDefinite`] with the index of the first constraint that does not determine its velocity.
     pub fn about<S: Over<Q::Given>>(
         system: &'a Q,
         split: Split<N, C, F>,
@@ -118,7 +118,7 @@ impl<'a, Q: Constrained<N, C>, const N: usize, const C: usize, const F: usize> R
         velocities(system, &split, time, place).map(|_| Redundant { system, split })
     }
 
-    /// The free velocities among all.
+    /// The free components of a velocity.
     pub fn free<S: Scalar>(&self, velocity: [S; N]) -> [S; F] {
         self.split.free.map(|i| velocity[i])
     }
@@ -146,7 +146,7 @@ impl<Q: Constrained<N, C>, const N: usize, const C: usize, const F: usize> Chart
     }
 
     fn rates<S: Over<Self::Given> + Analytic>(&self, time: S, x: [S; N], p: [S; F]) -> [S; N] {
-        // `about` checked that the pivots do not vanish
+        // `about` has checked that the pivots do not vanish
         velocities(self.system, &self.split, time, x).map_or([S::zero(); N], |admissible| admissible.vector(p))
     }
 }

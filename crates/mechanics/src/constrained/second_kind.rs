@@ -1,7 +1,7 @@
-//! Lagrange's equations of the second kind, and Maggi's where kinematic constraints are left.
+//! Lagrange's equations of the second kind; with kinematic constraints, Maggi's equations.
 //!
-//! The kinetic energy T(q, q', t) contains the geometric constraints only. The virtual displacements that the kinematic
-//! ones leave are dq = sum (dq'/dp_j) dpi_j, hence
+//! The kinetic energy T(q, q', t) includes the geometric constraints only. The virtual displacements admitted by the
+//! kinematic constraints are dq = sum (dq'/dp_j) dpi_j, hence
 //!
 //!   sum over i of (d/dt dT/dq'_i - dT/dq_i - Q_i) dq'_i/dp_j = 0 .
 //!
@@ -14,7 +14,7 @@ use crate::differentiate::{along, fixed, unit};
 use crate::lagrange::rheonomic;
 use field::{Analytic, Over, Tangent};
 
-/// The left side above at (t, q, p), under a force, at the rates p'.
+/// The left-hand side above at (t, q, p), under a force, for the rates p'.
 pub fn residual<Q, S, const N: usize, const K: usize, const R: usize>(
     system: &Q,
     (time, q, p): (S, [S; K], [S; R]),
@@ -47,10 +47,10 @@ where
     })
 }
 
-/// p' by these equations, under the given forces and another beside them.
+/// The rates p' by these equations, under the given force.
 ///
 /// # Errors
-/// [`NotDefinite`] names the first p whose displacement depends on those before it.
+/// [`NotDefinite`] with the index of the first p whose displacement depends on those before it.
 pub fn rates<Q, S, const N: usize, const K: usize, const R: usize>(
     system: &Q,
     (time, q, p): (S, [S; K], [S; R]),
@@ -63,7 +63,7 @@ where
     root(|dp| residual(system, (Tangent::fixed(time), fixed(q), fixed(p)), fixed(force), dp))
 }
 
-/// The given forces of a charted system at (t, q, p).
+/// The applied forces of a system with a chart at (t, q, p).
 pub fn given_force<Q, S, const N: usize, const K: usize, const R: usize>(
     system: &Q,
     (time, q, p): (S, [S; K], [S; R]),

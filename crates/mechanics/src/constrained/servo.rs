@@ -1,20 +1,20 @@
-//! Servo constraints: equations that a control keeps, with control forces along given directions instead of their
-//! gradients.
+//! Servo constraints: equations enforced by controls, whose forces act along given directions, not along the gradients.
 //!
-//! Contacts keep their constraints by ideal reactions, J^T lambda. Beside them phi(x, x', t) = 0 is to hold, but no force acts
-//! along dphi/dx': the directions B of the controls u take the place of the gradients,
+//! Ordinary constraints have ideal reactions J^T lambda. In addition phi(x, x', t) = 0 is to be enforced, but no force
+//! acts along dphi/dx'. The controls u act along directions B instead:
 //!
 //!   M x'' = X + J^T lambda + B u .
 //!
-//! Let b be the acceleration x'' by a unit of a control while the contacts hold. Here (dphi/dx') b = 0: no control changes phi'
-//! and no u gives phi' = 0 at once; phi' = r(x, x', t) by the contacts alone, a second equation of the velocities. Its rate
+//! Let b be the acceleration x'' due to a unit control under the constraints. Here (dphi/dx') b = 0: controls do not
+//! affect phi'. The constraints alone give phi' = r(x, x', t), a second condition on the velocities. Its rate
 //!
 //!   phi'' = r_t + r_x x' + r_x' (x'' at u = 0) + (r_x' b) u
 //!
-//! gives the controls wherever r_x' b is regular. A control is therefore to phi as a multiplier is to a geometric
-//! constraint: phi and r are both kept, and phi'' is prescribed.
+//! determines the controls wherever r_x' b is regular. A control is therefore to phi as a multiplier is to a geometric
+//! constraint: phi = 0 and r = 0 are both enforced, and phi'' is prescribed.
 //!
-//! Sources: Beghin 1922 for constraints that a servo keeps; Blajer, Kolodziejczyk 2004 for controls across the gradients.
+//! Sources: Beghin (1922) for servo constraints; Blajer and Kolodziejczyk (2004) for controls that do not act along the
+//! gradients.
 
 use super::combining::extended;
 use super::programmed::{Programme, Violation, programmed};
@@ -24,25 +24,25 @@ use crate::definite::{NotDefinite, solve};
 use crate::differentiate::{along, unit};
 use field::{Over, Scalar, Tangent};
 
-/// A system with U equations that are kept by as many controls.
+/// A system with U equations enforced by U controls.
 pub trait Servo<const N: usize, const C: usize, const U: usize>: Constrained<N, C> {
-    /// phi(x, x', t), to be kept zero.
+    /// The functions phi(x, x', t), to be kept at zero.
     fn kept<S: Over<Self::Given>>(&self, at: &State<S, N>) -> [S; U];
 
-    /// B, one row for each control.
+    /// The directions B, one row for each control.
     fn directions<S: Over<Self::Given>>(&self, at: &State<S, N>) -> [[S; N]; U];
 }
 
 /// Accelerations and controls.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Steered<S, const N: usize, const U: usize> {
-    /// x''
+    /// The accelerations x''.
     pub acceleration: [S; N],
-    /// u
+    /// The controls u.
     pub controls: [S; U],
 }
 
-/// dphi/dx', by rows.
+/// The gradients dphi/dx', row by row.
 pub fn gradients<Q, S, const N: usize, const C: usize, const U: usize>(system: &Q, at: &State<S, N>) -> [[S; N]; U]
 where
     Q: Servo<N, C, U>,
@@ -55,10 +55,10 @@ where
     std::array::from_fn(|k| std::array::from_fn(|i| columns[i][k]))
 }
 
-/// b: the acceleration by a unit of each control while the contacts hold.
+/// The accelerations b due to each unit control, under the constraints.
 ///
 /// # Errors
-/// [`NotDefinite`] names the first contact that depends on those before it.
+/// [`NotDefinite`] with the index of the first constraint that depends on those before it.
 pub fn additions<Q, S, const N: usize, const C: usize, const U: usize>(
     system: &Q,
     at: &State<S, N>,
@@ -76,10 +76,10 @@ where
     Ok(added)
 }
 
-/// phi and its rate r, with the violations of the contacts under their law.
+/// phi and its rate r, for constraints whose violations obey the equation `contacts`.
 ///
 /// # Errors
-/// As [`additions`].
+/// As for [`additions`].
 pub fn violation<Q, L, S, const N: usize, const C: usize, const U: usize>(
     system: &Q,
     contacts: &L,
@@ -94,7 +94,7 @@ where
     Ok(Violation { value: system.kept(at), rate: system.kept(&moving(at, free)).map(|phi| phi.slope) })
 }
 
-/// An instant moving with an acceleration.
+/// The state as dual numbers along a motion with the given acceleration.
 fn moving<S: Scalar, const N: usize>(at: &State<S, N>, acceleration: [S; N]) -> State<Tangent<S>, N> {
     State {
         time: Tangent::variable(at.time),
@@ -103,10 +103,10 @@ fn moving<S: Scalar, const N: usize>(at: &State<S, N>, acceleration: [S; N]) -> 
     }
 }
 
-/// Accelerations and controls with the contacts under one law, and phi'' under another.
+/// Accelerations and controls, for prescribed equations of the constraints and of phi.
 ///
 /// # Errors
-/// [`NotDefinite`] names the first contact that depends on those before it, or the first control.
+/// [`NotDefinite`] with the index of the first constraint, or control, that depends on those before it.
 pub fn steered<Q, L, K, S, const N: usize, const C: usize, const U: usize>(
     system: &Q,
     (contacts, programme): (&L, &K),

@@ -1,12 +1,12 @@
-//! det(mu - A), without a division.
+//! The characteristic polynomial det(mu - A), without division.
 
 use algebra::real::Ordered;
 
-/// The coefficients of det(mu - A), that of the highest power, which is 1, first. Row by row (Berkowitz): with the next
-/// row and column r, c and diagonal element d of the leading block B, the coefficients are multiplied by the triangular
-/// Toeplitz matrix of 1, -d, -r c, -r B c, -r B^2 c, ...
+/// The coefficients of det(mu - A), beginning with that of the highest power, which is 1. Berkowitz' algorithm: for
+/// each row r, column c and diagonal element d next to the leading block B, the coefficients are multiplied by the
+/// triangular Toeplitz matrix of 1, -d, -r c, -r B c, -r B^2 c, ...
 ///
-/// `one` is a unit of the field; a matrix that is not square is read as its leading square.
+/// `one` is the unit of the ring. Of a matrix that is not square the leading square block is used.
 pub fn characteristic<R: Ordered>(matrix: &[Vec<R>], one: &R) -> Vec<R> {
     let one = one.integer(1);
     let zero = one.integer(0);

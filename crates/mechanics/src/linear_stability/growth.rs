@@ -1,19 +1,20 @@
-//! The largest real part of the roots of a real polynomial, between two numbers.
+//! Bounds of the largest real part of the roots of a real polynomial.
 //!
-//! p(mu + r) has as many roots to the right of the imaginary axis as p has with a real part above r: they are counted
-//! exactly, for r halved and doubled. This finds a growth far below the rounding errors of eigenvalues.
+//! The roots of p(mu + r) to the right of the imaginary axis are those of p with real parts above r. They are counted
+//! exactly, and r is bisected. This finds growth rates far below the rounding errors of eigenvalues.
 
 use super::HalfPlanes;
 use algebra::real::Ordered;
 use field::Rational;
 
-/// Powers of two between which the growth is sought.
+/// The exponents of two between which the growth rate is searched.
 const POWERS: [i32; 2] = [-1000, 64];
-/// Parts into which the last doubling is divided.
+/// The number of intervals into which the last factor of two is divided.
 const PARTS: i64 = 64;
 
-/// Two numbers between which the largest real part lies, close together where every sign is known; of a polynomial with these
-/// coefficients, the highest first, of which a root is known to lie to the right. `None` where it is beyond all bounds.
+/// Lower and upper bound of the largest real part of the roots of a polynomial with these coefficients, the highest
+/// first, which must have a root in the right half-plane. The bounds are close if all signs can be determined. `None`
+/// where the largest real part is outside the range of the search.
 pub fn growth<R: Ordered>(coefficients: &[R]) -> Option<[f64; 2]> {
     let above = |rate: Rational| -> Option<bool> {
         Some(HalfPlanes::of(&shifted(coefficients, &coefficients.first()?.fraction(rate)?))?.right > 0)
@@ -28,7 +29,7 @@ pub fn growth<R: Ordered>(coefficients: &[R]) -> Option<[f64; 2]> {
         let middle = (low + high) / 2;
         match above(power(middle)) {
             Some(false) => high = middle,
-            // a shift that is too small does not part roots from the axis
+            // a shift below the resolution does not separate the roots from the axis
             told => (low, seen) = (middle, told.is_some()),
         }
     }
@@ -39,7 +40,8 @@ pub fn growth<R: Ordered>(coefficients: &[R]) -> Option<[f64; 2]> {
     let (mut least, mut most) = (0, PARTS);
     while most - least > 1 {
         let middle = (least + most) / 2;
-        // a shift that hits a root exactly leaves it on the axis, where enclosures do not tell it: its neighbours do
+        // a shift equal to a real part leaves the root on the axis, where enclosures do not determine signs: neighbours
+        // do
         let beside = [middle, middle + 1, middle - 1].into_iter().filter(|n| (least + 1..most).contains(n));
         match beside.flat_map(|n| above(part(n)).map(|is_above| (n, is_above))).next() {
             Some((n, true)) => least = n,
@@ -50,7 +52,7 @@ pub fn growth<R: Ordered>(coefficients: &[R]) -> Option<[f64; 2]> {
     Some([part(least).to_f64(), part(most).to_f64()])
 }
 
-/// p(mu + r), by Horner's scheme again and again.
+/// The coefficients of p(mu + r), by repeated Horner schemes.
 fn shifted<R: Ordered>(coefficients: &[R], r: &R) -> Vec<R> {
     let mut shifted = coefficients.to_vec();
     for end in (1..shifted.len()).rev() {

@@ -1,11 +1,13 @@
-//! The numbers of roots to the left of the imaginary axis, on it, and to the right of it.
+//! The numbers of roots of a polynomial in the left half-plane, on the imaginary axis, and in the right half-plane.
 //!
-//! With p(i y) = i^n (f0(y) - i f1(y)), f0 and f1 real, one even and one odd, roots that are no roots of both satisfy
+//! With p(i y) = i^n (f0(y) - i f1(y)), where f0 and f1 are real, one even and one odd, roots that are not common to
+//! both satisfy
 //!
 //!   left - right = index of f1/f0 from minus to plus infinity ,
 //!
-//! and Sturm's chain of f0, f1 counts the index (Hermite, Routh: the rows of the array are this chain). The last member is
-//! the common divisor of f0 and f1. Its roots are those of p on the axis, and pairs mu, -mu: half of these on either side.
+//! where the index is Cauchy's. It is counted by Sturm's chain of f0, f1 (Hermite, Routh: the rows of Routh's array are
+//! this chain). The last member of the chain is the greatest common divisor of f0 and f1. Its roots are those of p on
+//! the axis, and pairs mu, -mu, half of them in either half-plane.
 
 use super::derivative;
 use algebra::real::Ordered;
@@ -15,16 +17,16 @@ use algebra::real::Ordered;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct HalfPlanes {
     pub left: usize,
-    /// On the imaginary axis, zero included.
+    /// The number of roots on the imaginary axis, zero included.
     pub axis: usize,
     pub right: usize,
-    /// The number of different roots on the axis; a pair that was divided out is counted as different from the others.
+    /// The number of distinct roots on the axis. A pair that was divided out counts as distinct from the others.
     pub distinct: usize,
 }
 
 impl HalfPlanes {
-    /// Counts the roots of the polynomial with these coefficients, the highest first. `None` where a sign is not known,
-    /// and for the zero polynomial.
+    /// Counts the roots of the polynomial with these coefficients, the highest first. `None` where a sign cannot be
+    /// determined, and for the zero polynomial.
     pub fn of<R: Ordered>(coefficients: &[R]) -> Option<Self> {
         let first = coefficients.first()?;
         if first.sign()? == 0 {
@@ -32,7 +34,7 @@ impl HalfPlanes {
         }
         let degree = coefficients.len() - 1;
         let zero = first.integer(0);
-        // coefficients of y^(n-k), the highest first: p_k with the sign of i^k
+        // the coefficients of y^(n-k), the highest first: p_k with the sign of i^k
         let part = |parity: usize| -> Vec<R> {
             let of = |(k, c): (usize, &R)| match (k % 2 == parity, (k / 2) % 2) {
                 (false, _) => zero.clone(),
@@ -54,8 +56,9 @@ impl HalfPlanes {
         Some(HalfPlanes { left: left + beside, axis, right: right + beside, distinct })
     }
 
-    /// Counts the roots of a polynomial that z^2 + `square`, not zero, is known to divide: a remainder that may be zero
-    /// is dropped as rounding. `None` also where the remainder does not vanish.
+    /// Counts the roots of a polynomial that is known to be divisible by z^2 + `square`, with `square` not zero: a
+    /// remainder that may be zero is dropped. `None` where a sign cannot be determined, or the remainder is certainly
+    /// not zero.
     pub fn without_pair<R: Ordered>(coefficients: &[R], square: &R) -> Option<Self> {
         let sign = square.sign()?;
         if sign == 0 || coefficients.len() < 3 {
@@ -73,18 +76,18 @@ impl HalfPlanes {
         if sign < 0 {
             return Some(HalfPlanes { left: left + 1, axis, right: right + 1, distinct });
         }
-        // the pair may be equal to others on the axis
+        // the pair may coincide with other roots on the axis
         Some(HalfPlanes { left, axis: axis + 2, right, distinct: distinct + 2 })
     }
 
-    /// The number of all roots.
+    /// The total number of roots.
     pub fn degree(&self) -> usize {
         self.left + self.axis + self.right
     }
 }
 
-/// The number of different real roots of a polynomial with these coefficients, the highest first. `None` where a sign
-/// is not known.
+/// The number of distinct real roots of a polynomial with these coefficients, the highest first. `None` where a sign
+/// cannot be determined.
 pub fn real_roots<R: Ordered>(coefficients: &[R]) -> Option<usize> {
     usize::try_from(index(&chain(coefficients.to_vec(), derivative(coefficients))?)?).ok()
 }
@@ -103,7 +106,7 @@ fn chain<R: Ordered>(first: Vec<R>, second: Vec<R>) -> Option<Vec<Vec<R>>> {
     Some(chain)
 }
 
-/// Without leading zeros; empty for zero.
+/// The polynomial without leading zeros; empty for the zero polynomial.
 fn trimmed<R: Ordered>(polynomial: Vec<R>) -> Option<Vec<R>> {
     for (place, c) in polynomial.iter().enumerate() {
         if c.sign()? != 0 {
@@ -113,7 +116,7 @@ fn trimmed<R: Ordered>(polynomial: Vec<R>) -> Option<Vec<R>> {
     Some(Vec::new())
 }
 
-/// Divided by the size of the leading coefficient, so that numbers neither grow nor shrink along the chain.
+/// The polynomial divided by the magnitude of its leading coefficient, against growth of the numbers along the chain.
 fn scaled<R: Ordered>(polynomial: Vec<R>) -> Option<Vec<R>> {
     let Some(lead) = polynomial.first() else { return Some(polynomial) };
     let size = if lead.sign()? < 0 { lead.integer(0).minus(lead) } else { lead.clone() };
@@ -122,7 +125,8 @@ fn scaled<R: Ordered>(polynomial: Vec<R>) -> Option<Vec<R>> {
     std::iter::once(Some(unit)).chain(rest).collect()
 }
 
-/// The remainder by a divisor with leading coefficient 1 or -1; leading coefficients that vanish are dropped unseen.
+/// The remainder modulo a divisor with leading coefficient 1 or -1; leading coefficients are dropped without a zero
+/// test.
 fn remainder<R: Ordered>(dividend: &[R], divisor: &[R]) -> Option<Vec<R>> {
     let mut rest = dividend.to_vec();
     let positive = divisor[0].sign()? > 0;
@@ -136,7 +140,7 @@ fn remainder<R: Ordered>(dividend: &[R], divisor: &[R]) -> Option<Vec<R>> {
     Some(rest)
 }
 
-/// Changes of sign at minus infinity less those at plus infinity.
+/// The number of sign changes at minus infinity minus that at plus infinity.
 fn index<R: Ordered>(chain: &[Vec<R>]) -> Option<i64> {
     let signs: Vec<[i32; 2]> = chain
         .iter()
@@ -149,7 +153,7 @@ fn index<R: Ordered>(chain: &[Vec<R>]) -> Option<i64> {
     Some(changes(0) - changes(1))
 }
 
-/// The real roots of a polynomial in y, with their multiplicities and without.
+/// The numbers of real roots of a polynomial in y, with and without multiplicity.
 fn on_the_axis<R: Ordered>(polynomial: &[R]) -> Option<(usize, usize)> {
     let mut repeated = polynomial.to_vec();
     let (mut all, mut distinct) = (0, None);
@@ -158,7 +162,7 @@ fn on_the_axis<R: Ordered>(polynomial: &[R]) -> Option<(usize, usize)> {
         let real = usize::try_from(index(&chain)?).ok()?;
         all += real;
         distinct = distinct.or(Some(real));
-        // the roots of the common divisor with the derivative, each once less
+        // the greatest common divisor with the derivative has each root once less
         repeated = chain.last()?.clone();
     }
     Some((all, distinct.unwrap_or(0)))
@@ -266,7 +270,7 @@ mod tests {
     }
 
     proptest! {
-        /// Factors with known roots, symmetric ones among them.
+        /// Products of factors with known roots, including symmetric ones.
         #[test]
         fn products_of_known_factors_are_counted(factors in prop::collection::vec((-4..5i64, 0..5i64, any::<bool>()), 1..5)) {
             let mut known = [0, 0, 0];

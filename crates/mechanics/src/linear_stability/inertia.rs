@@ -1,9 +1,9 @@
-//! The signs of a quadratic form.
+//! The inertia of a quadratic form.
 
 use super::characteristic;
 use algebra::real::Ordered;
 
-/// The inertia of a quadratic form (Sylvester): its numbers of positive, vanishing and negative squares.
+/// The inertia of a quadratic form (Sylvester): the numbers of positive, zero and negative squares.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Inertia {
     pub positive: usize,
@@ -12,8 +12,8 @@ pub struct Inertia {
 }
 
 impl Inertia {
-    /// The inertia of a symmetric matrix. All its eigenvalues are real: by Descartes' rule the number of positive ones
-    /// is the number of changes of sign in its characteristic polynomial. `None` where a sign is not known.
+    /// The inertia of a symmetric matrix. Since all its eigenvalues are real, the number of positive ones is the number
+    /// of sign changes in its characteristic polynomial (Descartes). `None` where a sign cannot be determined.
     pub fn of<R: Ordered>(matrix: &[Vec<R>], one: &R) -> Option<Self> {
         let coefficients = characteristic(matrix, one);
         let signs: Vec<i32> = coefficients.iter().map(R::sign).collect::<Option<_>>()?;
@@ -23,8 +23,8 @@ impl Inertia {
         Some(Inertia { positive, zero, negative: matrix.len() - zero - positive })
     }
 
-    /// The inertia of the form on the subspace where the linear forms `constraints`, which must be independent, vanish:
-    /// bordered by them, the matrix has as many more squares of either sign as there are constraints.
+    /// The inertia of the form on the subspace where the linear forms `constraints`, which must be independent, vanish.
+    /// The matrix bordered by them has as many additional positive and negative squares as there are constraints.
     pub fn on_subspace<R: Ordered>(matrix: &[Vec<R>], constraints: &[Vec<R>], one: &R) -> Option<Self> {
         let border = constraints.len();
         let zero = one.integer(0);
@@ -64,7 +64,7 @@ mod tests {
     #[test]
     fn a_constraint_can_take_the_negative_square_away() {
         let one = Rational::int(1);
-        // x^2 - y^2 + z^2 where y = 0, where y = 2 x, where x = y
+        // x^2 - y^2 + z^2 on y = 0, on y = 2 x, on x = y
         let form = rows([[1, 0, 0], [0, -1, 0], [0, 0, 1]]);
         let on = |constraint: [i64; 3]| Inertia::on_subspace(&form, &rows([constraint]), &one).unwrap();
         assert_eq!(on([0, 1, 0]), Inertia { positive: 2, zero: 0, negative: 0 });

@@ -3,8 +3,9 @@
 use super::characteristic;
 use algebra::real::Ordered;
 
-/// The resultant: zero where the polynomials, the highest power first, have a common root or both lose their degree; the
-/// determinant of Sylvester's matrix up to its sign. With the derivative it vanishes where a root is repeated.
+/// The resultant of two polynomials, the highest power first: the determinant of Sylvester's matrix up to its sign. It
+/// is zero where the polynomials have a common root or both leading coefficients vanish. With the derivative it
+/// vanishes where a root is repeated.
 pub fn resultant<R: Ordered>(a: &[R], b: &[R], one: &R) -> R {
     let (m, n) = (a.len().saturating_sub(1), b.len().saturating_sub(1));
     let zero = one.integer(0);

@@ -1,19 +1,19 @@
-//! Growth or decay of one mode under the steps of a method.
+//! Growth or decay of a mode under a one-step method, as a function of the step size.
 
 use super::{HalfPlane, StabilityFunction};
 use algebra::complex::{Rectangle, zeros};
 use algebra::real::{Enclosure, Polynomial, Root};
 use field::{Rational, Scalar};
 
-/// The step sizes at which the growth of a mode changes, in ascending order, and its sign before, between and after
-/// them: -1 the mode decays, 0 it keeps its size, 1 it grows.
+/// The thresholds of the step size at which the growth of a mode changes, in ascending order, and the sign of the
+/// growth before, between and after them: -1 decay, 0 constant amplitude, 1 growth.
 #[derive(Clone, Debug)]
 pub struct Fates {
     pub cuts: Vec<Enclosure>,
     pub signs: Vec<i32>,
 }
 
-/// The thresholds of the step size could not be separated.
+/// The error for thresholds of the step size that could not be separated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UndecidedFate;
 
@@ -37,7 +37,7 @@ impl Fates {
         }
     }
 
-    /// The sign for a step size, where it is not within the enclosure of a threshold.
+    /// The sign for a step size; `None` where it lies within the enclosure of a threshold.
     pub fn at(&self, step: &Enclosure) -> Option<i32> {
         let mut passed = 0;
         for cut in &self.cuts {
@@ -49,7 +49,8 @@ impl Fates {
         self.signs.get(passed).copied()
     }
 
-    /// Along a direction in which Re u^m is a whole number: thresholds are algebraic numbers of the method, over |mu|.
+    /// Thresholds along a direction in which Re u^m is an integer: they are algebraic numbers of the method, divided by
+    /// |mu|.
     fn exactly(terms: &[Vec<Rational>], turn: impl Fn(usize) -> i64, size: &Enclosure) -> Result<Self, UndecidedFate> {
         let sum = |term: &Vec<Rational>| {
             let parts = term.iter().enumerate().map(|(m, c)| *c * Rational::int(turn(m)));
@@ -59,7 +60,7 @@ impl Fates {
         let polynomial = Polynomial::from_rationals(&coefficients).ok_or(UndecidedFate)?;
         let zero = Polynomial::from_integers([0, 1]);
         let roots: Vec<Root> = polynomial.real_roots().into_iter().filter(|root| root.sign_of(&zero) > 0).collect();
-        // a root at which the sign does not change stays: there, and there only, the mode neither decays nor grows
+        // double roots are kept: the mode has constant amplitude at this step size only
         let bits = size.bits();
         let places: Vec<Enclosure> = roots.iter().map(|root| root.enclosure(bits)).collect();
         let value = |x: &Enclosure| polynomial.enclosure(x, bits).sign();
@@ -96,7 +97,7 @@ impl Fates {
         Self::between(places, &size, value)
     }
 
-    /// Thresholds of x = h |mu| in ascending order, and a polynomial whose sign is asked for between them.
+    /// The thresholds x = h |mu| in ascending order as step sizes, with the signs of a polynomial between them.
     fn between(places: Vec<Enclosure>, size: &Enclosure, value: impl Fn(&Enclosure) -> Option<i32>) -> Option<Self> {
         let bits = size.bits();
         let number = |n: i64| Enclosure::integer(n, bits);

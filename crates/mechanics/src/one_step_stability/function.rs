@@ -1,10 +1,10 @@
-//! The stability function of a method.
+//! The stability function of a one-step method.
 
 use field::{Rational, Scalar};
 use nalgebra::Complex;
 
-/// R(z) = P(z)/Q(z): the factor of a step of unit length for y' = z y. Coefficients from the constant upwards, P(0) = Q(0)
-/// = 1.
+/// R(z) = P(z)/Q(z): the amplification factor of a step of length 1 for y' = z y. Coefficients begin with the constant;
+/// P(0) = Q(0) = 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StabilityFunction {
     pub numerator: Vec<Rational>,
@@ -12,7 +12,7 @@ pub struct StabilityFunction {
 }
 
 impl StabilityFunction {
-    /// ln|R| at z = (re, im), and its derivative by the logarithm of the step, Re(z R'/R).
+    /// ln|R| at z = (re, im), and its derivative by the logarithm of the step size, Re(z R'/R).
     pub fn growth(&self, [re, im]: [f64; 2]) -> (f64, f64) {
         let z = Complex::new(re, im);
         let zero = Complex::new(0.0, 0.0);
@@ -25,8 +25,8 @@ impl StabilityFunction {
         ((above / below).norm().ln(), (z * (above_slope / above - below_slope / below)).re)
     }
 
-    /// |R(i x)|^2 - 1, the relative change of the energy of an oscillation in a step in which it turns by x radians. Terms cancel over
-    /// fractions: the smallest changes keep their digits.
+    /// The relative energy change |R(i x)|^2 - 1 of an oscillation in a step over the phase angle x (rad). Cancelling
+    /// terms are summed as fractions: small changes keep their digits.
     pub fn energy_change(&self, x: f64) -> f64 {
         let (terms, low) = self.balance();
         // Re i^m
@@ -44,8 +44,8 @@ impl StabilityFunction {
         change / below.norm_sqr()
     }
 
-    /// |P(x u)|^2 - |Q(x u)|^2 for |u| = 1 as sum x^k c_km Re u^m: the coefficients c, trimmed at both ends of k,
-    /// and the power of x that was divided by.
+    /// |P(x u)|^2 - |Q(x u)|^2 for |u| = 1 as sum x^k c_km Re u^m: the coefficients c, without zeros at both ends of k,
+    /// and the power of x that was divided out.
     pub(super) fn balance(&self) -> (Vec<Vec<Rational>>, usize) {
         let degree = self.numerator.len().max(self.denominator.len()).saturating_sub(1);
         let of = |c: &[Rational], i: usize| c.get(i).copied().unwrap_or(Rational::int(0));

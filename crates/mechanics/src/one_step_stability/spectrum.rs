@@ -1,38 +1,39 @@
-//! The eigenvalues of a matrix, each in a rectangle of its own.
+//! The eigenvalues of a matrix in disjoint enclosures.
 
 use algebra::complex::{Rectangle, zeros};
 use algebra::real::Enclosure;
 
-/// Eigenvalues that a step treats alike: one, or a pair of conjugates.
+/// A real eigenvalue, or a conjugate pair, which behave alike under a step.
 #[derive(Clone, Debug)]
 pub struct Mode {
     pub place: HalfPlane,
-    /// The number of eigenvalues: one for each member of a pair.
+    /// The number of eigenvalues: 2 for a conjugate pair.
     pub count: usize,
 }
 
-/// An eigenvalue by the place of its real part.
+/// An eigenvalue, by the sign and exactness of its real part.
 #[derive(Clone, Debug)]
 pub enum HalfPlane {
-    /// mu, not zero.
+    /// A real eigenvalue mu, not zero.
     Real(Enclosure),
-    /// mu = i b, b > 0, and its conjugate: by a theorem, not by a tolerance.
+    /// mu = i b with b > 0, and its conjugate; the real part vanishes by a theorem, not by a tolerance.
     Imaginary(Enclosure),
-    /// mu = a + i b, a not zero, b > 0, and its conjugate.
+    /// mu = a + i b with a not zero and b > 0, and its conjugate.
     Pair(Rectangle),
 }
 
-/// The eigenvalues of a motion, without those that its structure explains.
+/// The eigenvalues at a motion, without those that follow from its structure.
 #[derive(Clone, Debug, Default)]
 pub struct Spectrum {
     pub modes: Vec<Mode>,
 }
 
 impl Spectrum {
-    /// The zeros of a monic polynomial, coefficients from the constant upwards. `symmetric`: the motion keeps an energy, so that
-    /// with mu there is -mu and the polynomial is one in mu^2, for any rounding errors in its odd coefficients.
+    /// The zeros of a monic polynomial, with coefficients from the constant upwards. With `symmetric` the motion
+    /// conserves an energy: with mu also -mu is an eigenvalue, and the polynomial is taken as one in mu^2, whatever
+    /// rounding errors its odd coefficients have.
     ///
-    /// `None` where eigenvalues coincide, or an eigenvalue may have a vanishing real part without a reason.
+    /// `None` where eigenvalues coincide, or a real part may vanish without that theorem.
     pub fn of(polynomial: &[Enclosure], symmetric: bool) -> Option<Self> {
         match symmetric {
             true => Self::of_squares(polynomial),
@@ -53,7 +54,7 @@ impl Spectrum {
         Some(Spectrum { modes })
     }
 
-    /// From the zeros s = mu^2.
+    /// The eigenvalues from the zeros s = mu^2.
     fn of_squares(polynomial: &[Enclosure]) -> Option<Self> {
         let even: Vec<Enclosure> = polynomial.iter().step_by(2).cloned().collect();
         let mut modes = Vec::new();
@@ -80,7 +81,7 @@ impl Spectrum {
         Some(Spectrum { modes })
     }
 
-    /// The numbers of eigenvalues with a positive and with a vanishing real part.
+    /// The numbers of eigenvalues with a positive and with a zero real part.
     pub fn growing(&self) -> [usize; 2] {
         let count = |sign: i32| self.modes.iter().filter(|mode| mode.place.sign() == sign).map(|mode| mode.count).sum();
         [count(1), count(0)]
@@ -88,7 +89,7 @@ impl Spectrum {
 }
 
 impl HalfPlane {
-    /// The mode of an eigenvalue, or of both of a pair; `None` where the sign of the real part is open.
+    /// The mode of an eigenvalue or a pair; `None` where the sign of the real part is not determined.
     fn mode(self) -> Option<Mode> {
         let count = match &self {
             HalfPlane::Real(mu) => mu.sign().filter(|sign| *sign != 0).map(|_| 1)?,
@@ -98,7 +99,7 @@ impl HalfPlane {
         Some(Mode { place: self, count })
     }
 
-    /// The eigenvalue with the positive imaginary part, rounded: (re, im).
+    /// The eigenvalue with nonnegative imaginary part, rounded: (re, im), 1/s.
     pub fn point(&self) -> [f64; 2] {
         match self {
             HalfPlane::Real(mu) => [mu.to_f64(), 0.0],
@@ -107,7 +108,7 @@ impl HalfPlane {
         }
     }
 
-    /// The sign of the real part: -1 where the motion lets the mode decay, 0 where it stays, 1 where it grows.
+    /// The sign of the real part: -1 where the mode decays, 0 where its amplitude is constant, 1 where it grows.
     pub fn sign(&self) -> i32 {
         match self {
             HalfPlane::Real(mu) => mu.sign().unwrap_or(0),

@@ -1,43 +1,43 @@
-//! Every step size of a method, judged by the stability that it gives to the modes of a motion.
+//! The stability of a method for all modes of a motion, for every step size.
 
 use super::{Fates, Mode, StabilityFunction, UndecidedFate};
 use algebra::real::Enclosure;
 
-/// The stability of the map beside that of the motion.
+/// The comparison of the method's stability with that of the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Judgement {
-    /// Every mode decays, stays or grows as it does in the motion.
+    /// Every mode decays, is constant or grows as in the motion.
     Correct,
-    /// The motion grows, the map does not: phantom stability.
+    /// The motion is unstable, the method stable: spurious stability.
     Hides,
-    /// The map grows, the motion does not: phantom instability.
+    /// The motion is stable, the method unstable: spurious instability.
     Invents,
-    /// Neither grows, but the map damps a mode that the motion keeps.
+    /// Both are stable, but the method damps a mode of constant amplitude.
     Damps,
-    /// Both grow, but the map changes the growth of some mode.
+    /// Both are unstable, but the method changes the growth of some mode.
     Confuses,
 }
 
-/// Steps between two neighbouring thresholds.
+/// The result for the step sizes between two adjacent thresholds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StepInterval {
     pub judgement: Judgement,
-    /// The numbers of eigenvalues whose multipliers are outside the unit circle (`growing`) and on it (`staying`).
+    /// The numbers of eigenvalues whose multipliers lie outside the unit circle (`growing`) and on it (`staying`).
     pub growing: usize,
     pub staying: usize,
 }
 
-/// All step sizes from zero to infinity.
+/// The results for all step sizes from zero to infinity.
 #[derive(Clone, Debug)]
 pub struct Steps {
     /// The thresholds of the step size, s, in ascending order.
     pub cuts: Vec<Enclosure>,
-    /// The results before, between and after the cuts.
+    /// The results before, between and after the thresholds.
     pub stretches: Vec<StepInterval>,
 }
 
 impl Steps {
-    /// The step sizes of a method, judged for the modes of a motion.
+    /// The results of a method for the modes of a motion.
     ///
     /// # Errors
     /// [`UndecidedFate`] where thresholds of one mode cannot be separated.
@@ -45,7 +45,7 @@ impl Steps {
         let fates: Vec<Fates> = modes.iter().map(|mode| Fates::of(&mode.place, function)).collect::<Result<_, _>>()?;
         let mut cuts: Vec<Enclosure> = fates.iter().flat_map(|fates| fates.cuts.iter().cloned()).collect();
         cuts.sort_by(|a, b| a.to_f64().total_cmp(&b.to_f64()));
-        // thresholds of two modes may be one
+        // thresholds of two modes may coincide
         cuts.dedup_by(|next, last| {
             let one = !next.is_apart_from(last);
             if one {
@@ -59,7 +59,7 @@ impl Steps {
             signs.map(|signs| StepInterval::of(modes, &signs)).ok_or(UndecidedFate)
         });
         let mut stretches: Vec<StepInterval> = judged.collect::<Result<_, _>>()?;
-        // a cut with equal results on both sides is no threshold of the map
+        // a threshold with equal results on both sides is dropped
         let mut place = 0;
         while place < cuts.len() {
             if stretches[place] == stretches[place + 1] {
@@ -72,10 +72,10 @@ impl Steps {
         Ok(Steps { cuts, stretches })
     }
 
-    /// The largest step size up to which all are correct; `Ok(None)` where all step sizes are.
+    /// The threshold (s) below which all step sizes are correct; `Ok(None)` where every step size is.
     ///
     /// # Errors
-    /// `Err` with the judgement of the shortest steps, where these are not correct.
+    /// The judgement of the shortest steps, where these are not correct.
     pub fn correct(&self) -> Result<Option<&Enclosure>, Judgement> {
         match self.stretches.first() {
             Some(StepInterval { judgement: Judgement::Correct, .. }) => Ok(self.cuts.first()),
@@ -84,7 +84,7 @@ impl Steps {
         }
     }
 
-    /// The intervals of step sizes with their ends; the first begins at zero and the last has no end.
+    /// The intervals of step sizes with their ends: the first begins at zero, the last is unbounded.
     pub fn all(&self) -> impl Iterator<Item = (Option<&Enclosure>, Option<&Enclosure>, StepInterval)> {
         let ends = |place: usize| (place.checked_sub(1).and_then(|k| self.cuts.get(k)), self.cuts.get(place));
         self.stretches.iter().enumerate().map(move |(place, stretch)| {
@@ -93,7 +93,7 @@ impl Steps {
         })
     }
 
-    /// The result for a step size, s; `None` where this is a threshold to within rounding.
+    /// The result for a step size, s; `None` where it equals a threshold within rounding.
     pub fn at(&self, step: f64) -> Option<StepInterval> {
         let bits = self.cuts.first().map_or(64, Enclosure::bits);
         let step = Enclosure::float(step, bits)?;
@@ -125,7 +125,7 @@ impl StepInterval {
     }
 }
 
-/// A step size in each interval.
+/// A step size within each interval.
 fn probes(cuts: &[Enclosure]) -> Option<Vec<Enclosure>> {
     let bits = cuts.first().map_or(64, Enclosure::bits);
     let two = Enclosure::integer(2, bits);

@@ -1,29 +1,29 @@
-//! A regime as linear equations and inequalities in the reactions.
+//! A regime of contacts as linear equations and inequalities in the reactions.
 
 use super::dry::Pairs;
 use super::{Dry, Mode, Touch};
 use field::Scalar;
 use std::fmt;
 
-/// constant + row . lambda
+/// An affine form in the reactions: constant + row . lambda.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Form<S, const K: usize> {
     pub constant: S,
     pub row: Pairs<S, K>,
 }
 
-/// An inequality that a regime requires of a contact beside its equations: the quantity is not negative.
+/// An inequality that a regime requires of a contact besides its equations: the quantity is nonnegative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Condition {
-    /// gap'': an open gap does not close.
+    /// The acceleration gap'': an open contact does not close.
     Separates,
-    /// The normal reaction, towards its face's side.
+    /// The normal reaction, positive in the direction of its face.
     Presses,
-    /// f |N| - T: the tangential reaction stays within the friction cone forwards.
+    /// The margin f |N| - T: the tangential reaction stays within the friction cone in forward direction.
     HoldsForwards,
-    /// f |N| + T: the tangential reaction stays within the friction cone backwards.
+    /// The margin f |N| + T: the tangential reaction stays within the friction cone in backward direction.
     HoldsBackwards,
-    /// The sliding acceleration, in the direction of the slip that begins.
+    /// The tangential acceleration, in the direction of incipient sliding.
     Departs,
 }
 
@@ -40,7 +40,7 @@ impl fmt::Display for Condition {
 }
 
 impl<S: Scalar, const K: usize> Form<S, K> {
-    /// lambda of one contact, normal (0) or tangential (1), times a factor.
+    /// The reaction of one contact, normal (0) or tangential (1), times a factor.
     fn reaction(contact: usize, component: usize, factor: S) -> Self {
         let mut row = [[S::zero(); 2]; K];
         row[contact][component] = factor;
@@ -56,7 +56,7 @@ impl<S: Scalar, const K: usize> Form<S, K> {
         Form { constant: self.constant * factor, row: self.row.map(|pair| pair.map(|entry| entry * factor)) }
     }
 
-    /// The value at these reactions.
+    /// The value for given reactions.
     pub fn at(&self, reactions: &Pairs<S, K>) -> S {
         let terms = self.row.as_flattened().iter().zip(reactions.as_flattened());
         terms.fold(self.constant, |sum, (a, x)| sum + *a * *x)
@@ -69,13 +69,13 @@ impl<S: Scalar, const K: usize> Form<S, K> {
 }
 
 impl<S: Scalar, const K: usize> Dry<S, K> {
-    /// The acceleration of a contact: of the gap (0) or along the curve (1).
+    /// The acceleration of a contact as a form: of the gap (0) or along the curve (1).
     pub fn acceleration(&self, contact: usize, component: usize) -> Form<S, K> {
         Form { constant: self.free[contact][component], row: self.response[contact][component] }
     }
 }
 
-/// The equations of a regime: as many as reactions, two a contact.
+/// The equations of a regime, two for each contact.
 pub fn equations<S: Scalar, const K: usize>(dry: &Dry<S, K>, regime: &[Mode; K]) -> [[Form<S, K>; 2]; K] {
     std::array::from_fn(|k| match regime[k] {
         Mode::Apart => [Form::reaction(k, 0, S::one()), Form::reaction(k, 1, S::one())],
@@ -88,10 +88,10 @@ pub fn equations<S: Scalar, const K: usize>(dry: &Dry<S, K>, regime: &[Mode; K])
     })
 }
 
-/// At most three conditions of each contact, with their margins.
+/// The conditions of each contact, at most three, with their margins as forms.
 pub type Conditions<S, const K: usize> = [[Option<(Condition, Form<S, K>)>; 3]; K];
 
-/// The inequalities of a regime, contact by contact.
+/// The inequalities of a regime, by contact.
 pub fn conditions<S: Scalar, const K: usize>(
     dry: &Dry<S, K>,
     touches: &[Touch; K],

@@ -1,22 +1,22 @@
-//! Reactions and margins of a regime as quotients of polynomials in the entries of b and W.
+//! Reactions and margins of a regime as quotients of polynomials in b and W, by Cramer's rule.
 //!
-//! Cramer's rule does not divide: over expressions the margin of a condition is a numerator and the regime's
-//! determinant, whose signs decide. No pivot has to be chosen: it works over every field.
+//! Over symbolic expressions the margin of a condition is a numerator divided by the determinant of the regime, whose
+//! signs decide. No pivot has to be chosen, so that the rule applies over any scalar type.
 
 use super::dry::Pairs;
 use super::{Dry, Form, Mode, equations};
 use field::Scalar;
 
-/// The solution of a regime's equations: the reactions are `numerators / determinant`.
+/// The solution of the equations of a regime: the reactions are `numerators / determinant`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cramer<S, const K: usize> {
-    /// The determinant of the regime's equations. Where it vanishes the regime is singular: see [`super::reactions`].
+    /// The determinant of the equations. If it is zero the regime is singular: see [`super::reactions`].
     pub determinant: S,
     pub numerators: Pairs<S, K>,
 }
 
 impl<S: Scalar, const K: usize> Cramer<S, K> {
-    /// Numerators and determinant of a regime.
+    /// Computes numerators and determinant of a regime.
     pub fn of(dry: &Dry<S, K>, regime: &[Mode; K]) -> Self {
         let rows = equations(dry, regime);
         let size = 2 * K;
@@ -29,7 +29,7 @@ impl<S: Scalar, const K: usize> Cramer<S, K> {
         Cramer { determinant: determinant_of_all, numerators }
     }
 
-    /// lambda.
+    /// The reactions lambda.
     pub fn reactions(&self) -> Pairs<S, K> {
         self.numerators.map(|pair| pair.map(|numerator| numerator / self.determinant))
     }
@@ -46,12 +46,12 @@ impl<S: Scalar, const K: usize> Cramer<S, K> {
     }
 }
 
-/// Laplace expansion along the rows; an entry that is the constant zero costs nothing. For a few rows.
+/// Laplace expansion along the rows, without the products of entries that are the constant zero. For small sizes only.
 fn determinant<S: Scalar>(size: usize, entry: &impl Fn(usize, usize) -> S) -> S {
     expand(0, size, 0, entry)
 }
 
-/// The minor of the rows from `row` on without the columns in the set `used`.
+/// The minor of the rows from `row` on, without the columns in the bit set `used`.
 fn expand<S: Scalar>(row: usize, size: usize, used: u32, entry: &impl Fn(usize, usize) -> S) -> S {
     if row == size {
         return S::one();

@@ -1,4 +1,4 @@
-//! The contacts' accelerations as a function of their reactions.
+//! The accelerations of contacts as affine functions of the reactions.
 
 use crate::constrained::State;
 use crate::constrained::contacts::{Contact, Contacts, Sides};
@@ -8,30 +8,30 @@ use crate::definite::{NotDefinite, solve};
 use crate::differentiate::{along, gradient};
 use field::{Over, Scalar, Tangent};
 
-/// Normal and tangential component of something at each contact.
+/// The normal and tangential components of a quantity at each contact.
 pub type Pairs<S, const K: usize> = [[S; 2]; K];
 
-/// The system seen by its contacts at a state: a = b + W lambda, where a is the second derivative of gap and place
-/// along the curve, and lambda the normal and the tangential reaction.
+/// A system at a state, as seen by its contacts: a = b + W lambda. Here a has the second derivatives of the gap and of
+/// the position along the curve, and lambda the normal and tangential reactions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dry<S, const K: usize> {
-    /// b: with no reaction at any contact. m/s^2
+    /// The accelerations b without contact reactions, m/s^2.
     pub free: Pairs<S, K>,
-    /// W, symmetric, positive definite where the contacts are independent: `response[k][i]` is the row of contact k,
-    /// component i. 1/kg
+    /// The matrix W, 1/kg: symmetric, and positive definite if the contacts are independent. `response[k][i]` is the
+    /// row of contact k, component i.
     pub response: [[Pairs<S, K>; 2]; K],
-    /// f of each contact.
+    /// The friction coefficient f of each contact.
     pub friction: [S; K],
-    /// The sides of each contact.
+    /// The kind of each contact.
     pub sides: [Sides; K],
 }
 
-/// Gap and place along the curve, contact by contact.
+/// The gap and the position along the curve of a contact.
 fn coordinates<S>(contact: Contact<S>) -> [S; 2] {
     [contact.gap, contact.along]
 }
 
-/// The gradients of gap and place along the curve: the directions of the reactions.
+/// The gradients of the gap and of the position along the curve, which are the directions of the reactions.
 fn directions<Q, S, const N: usize, const C: usize, const K: usize>(system: &Q, at: &State<S, N>) -> [[[S; N]; 2]; K]
 where
     Q: Contacts<N, C, K>,
@@ -43,7 +43,7 @@ where
     })
 }
 
-/// Second derivatives of gap and place along the curve, at an acceleration.
+/// The second derivatives of the gap and of the position along the curve, for an acceleration.
 fn accelerations<Q, S, const N: usize, const C: usize, const K: usize>(
     system: &Q,
     at: &State<S, N>,
@@ -60,24 +60,25 @@ where
     system.contacts(time, moving).map(|contact| coordinates(contact).map(|value| value.slope.slope))
 }
 
-/// A system at a state, with open reactions of its contacts.
+/// A system at a state, with undetermined contact reactions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen<S, const N: usize, const K: usize> {
-    /// The contacts' accelerations as a function of their reactions.
+    /// The accelerations of the contacts as functions of their reactions.
     pub dry: Dry<S, K>,
-    /// The directions of the reactions: the gradients of gap and place along the curve.
+    /// The directions of the reactions: the gradients of the gap and of the position along the curve.
     pub directions: [[[S; N]; 2]; K],
-    /// x'' without reactions.
+    /// The accelerations x'' without contact reactions.
     free: [S; N],
-    /// x'' for a unit of each reaction.
+    /// The accelerations x'' due to each unit reaction.
     responses: [[[S; N]; 2]; K],
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Seen<S, N, K> {
-    /// Evaluates a system at a state under a force; the system's own constraints are kept by their multipliers.
+    /// Evaluates a system at a state under a force; the system's own constraints are satisfied through their
+    /// multipliers.
     ///
     /// # Errors
-    /// [`NotDefinite`] names the first of the system's constraints that depends on those before it.
+    /// [`NotDefinite`] with the index of the first of the system's constraints that depends on those before it.
     pub fn of<Q, const C: usize>(system: &Q, at: &State<S, N>, force: [S; N]) -> Result<Self, NotDefinite>
     where
         Q: Contacts<N, C, K>,
@@ -99,7 +100,7 @@ impl<S: Scalar, const N: usize, const K: usize> Seen<S, N, K> {
         Ok(Seen { dry, directions, free, responses })
     }
 
-    /// x'' with these reactions.
+    /// The accelerations x'' for given reactions.
     pub fn acceleration(&self, reactions: &Pairs<S, K>) -> [S; N] {
         let each = || reactions.as_flattened().iter().zip(self.responses.as_flattened());
         std::array::from_fn(|n| each().fold(self.free[n], |sum, (reaction, response)| sum + *reaction * response[n]))
@@ -107,10 +108,10 @@ impl<S: Scalar, const N: usize, const K: usize> Seen<S, N, K> {
 }
 
 impl<S: Scalar, const K: usize> Dry<S, K> {
-    /// [`Seen::of`] without the data that only a motion needs.
+    /// The part of [`Seen::of`] that the choice of a regime needs.
     ///
     /// # Errors
-    /// [`NotDefinite`] as [`Seen::of`].
+    /// [`NotDefinite`] as for [`Seen::of`].
     pub fn of<Q, const N: usize, const C: usize>(
         system: &Q,
         at: &State<S, N>,
@@ -124,7 +125,7 @@ impl<S: Scalar, const K: usize> Dry<S, K> {
     }
 }
 
-/// x'' for a unit of each reaction alone, the system's own constraints kept.
+/// The accelerations x'' due to each unit reaction, with the system's own constraints satisfied.
 fn responses<Q, S, const N: usize, const C: usize, const K: usize>(
     system: &Q,
     at: &State<S, N>,

@@ -1,22 +1,23 @@
-//! Regimes of contacts with Coulomb's friction: every consistent one, at one state, under any load.
+//! Regimes of contacts with Coulomb friction: all consistent regimes at a state.
 //!
 //! # Overview
-//! At a state the accelerations of K contacts are affine in their reactions, a = b + W lambda ([`Dry`]). A contact that
-//! is closed either separates, sticks or slips ([`Mode`]); a choice for each contact is a regime, which turns the
-//! laws of contact and friction into linear equations and inequalities ([`conditions`](mod@conditions)). Nothing is
-//! minimised, iterated or regularised: every regime is examined, and the answer lists the consistent ones.
+//! At a state the accelerations of K contacts are affine in their reactions, a = b + W lambda ([`Dry`]). A closed
+//! contact separates, sticks or slips ([`Mode`]). A choice of modes for all contacts is a regime; it turns the laws of
+//! contact and friction into linear equations and inequalities ([`conditions`](mod@conditions)). All regimes are
+//! enumerated, and the result lists the consistent ones. There is no iteration and no regularisation.
 //!
-//! * [`dry`]: the free accelerations b and the response W, the system's own constraints kept;
+//! * [`dry`]: the free accelerations b and the response W, with the system's own constraints satisfied;
 //! * [`mode`]: the modes of a contact, by its sliding velocity;
-//! * [`conditions`](mod@conditions): the equations and the inequalities of a regime;
-//! * [`cramer`]: reactions and margins as quotients of polynomials, over any field: for proofs and right-hand sides;
-//! * [`reactions`]: all reactions that a regime admits, a polyhedron, also where its equations are singular;
-//! * [`verdict`](mod@verdict): unique, none, several, or a continuum.
+//! * [`conditions`](mod@conditions): the equations and inequalities of a regime;
+//! * [`cramer`]: reactions and margins as quotients of polynomials, over any scalar type, for proofs and right-hand
+//!   sides;
+//! * [`reactions`]: the polyhedron of all reactions that a regime admits, including singular regimes;
+//! * [`verdict`](mod@verdict): one consistent motion, none, several, or a continuum.
 //!
-//! # What is counted
+//! # Motions and regimes
 //!
-//! Motions, not names. Sticking with friction at its limit and slipping without acceleration are one motion; two
-//! sets of reactions of a body with more supports than it needs are one motion too. Two consistent regimes are counted
+//! The result counts motions, not regimes. Sticking with friction at its limit and slipping without acceleration are
+//! one motion; different reactions of a statically indeterminate body are one motion too. Two consistent regimes count
 //! as several motions only if some acceleration differs.
 
 pub mod conditions;

@@ -1,4 +1,4 @@
-//! Modes of a contact: apart, stick, slip; and the modes that its gap and velocity leave open.
+//! Modes of a contact (open, sticking, slipping), and the modes possible for its gap and velocity.
 
 use super::Ordered;
 use crate::constrained::State;
@@ -10,49 +10,49 @@ use std::fmt;
 /// The direction of sliding along the contact's curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
-    /// The place along the curve grows.
+    /// The position along the curve increases.
     Forwards,
-    /// The place along the curve falls.
+    /// The position along the curve decreases.
     Backwards,
 }
 
-/// The side of a curve that presses. A guide has both, a one-sided curve the front only.
+/// The side of a curve that exerts the normal reaction. A bilateral contact has both, a unilateral one the front only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Face {
-    /// The curve pushes towards a growing gap.
+    /// The normal reaction acts in the direction of a growing gap.
     Front,
-    /// The curve pulls back.
+    /// The normal reaction acts in the direction of a decreasing gap.
     Back,
 }
 
 /// The mode of one contact in a regime.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// No reaction; the gap does not shrink.
+    /// Without reaction; the gap does not decrease.
     Apart,
-    /// At rest along the curve, friction within its cone.
+    /// At rest along the curve, with the reaction within the friction cone.
     Stick(Face),
-    /// Sliding, or about to slide, in a direction; friction on the cone, against it.
+    /// Sliding, or beginning to slide, in a direction, with friction at its limit in the opposite direction.
     Slip(Direction, Face),
 }
 
 /// The state of a contact by its gap and its velocity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Touch {
-    /// Not in touch, or leaving: it cannot react.
+    /// Open or separating: without reaction.
     Open,
-    /// In touch, sliding velocity zero.
+    /// Closed, with the sliding velocity zero.
     Rest,
-    /// In touch and sliding.
+    /// Closed and sliding.
     Slides(Direction),
 }
 
-/// A contact at which no motion with finite accelerations can start.
+/// The reason why no motion with finite accelerations starts at a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unfit {
-    /// The gap is negative, or a guide is left.
+    /// The gap is negative, or a bilateral contact is violated.
     Penetrates { contact: usize },
-    /// In touch and approaching: an impact, on which these laws do not decide.
+    /// The contact is closed and approaching: an impact, which these laws do not describe.
     Impact { contact: usize },
 }
 
@@ -79,7 +79,7 @@ impl Direction {
     /// Both directions.
     pub const ALL: [Direction; 2] = [Direction::Forwards, Direction::Backwards];
 
-    /// 1 or -1.
+    /// The sign of the direction, 1 or -1.
     pub fn sign<S: Scalar>(self) -> S {
         if self == Self::Forwards { S::one() } else { -S::one() }
     }
@@ -95,7 +95,7 @@ impl Direction {
 }
 
 impl Face {
-    /// The faces of a curve.
+    /// The possible faces of a contact.
     pub fn of(sides: Sides) -> &'static [Face] {
         match sides {
             Sides::One => &[Face::Front],
@@ -109,10 +109,11 @@ impl Face {
     }
 }
 
-/// The most modes that one contact has: a guide at rest, two faces each with stick and two slips.
+/// The largest number of modes of a contact: for a bilateral contact at rest, two faces each with stick and two slips.
 const MOST: usize = 6;
 
-/// The modes that a contact may be in, in a fixed order. A smooth curve has no stick, and one slip for both directions.
+/// The possible modes of a contact, in a fixed order. A frictionless contact has no sticking, and one slip mode for
+/// both directions.
 pub fn modes<S: Scalar>(touch: Touch, sides: Sides, friction: S) -> impl Iterator<Item = Mode> {
     use Direction::Forwards;
     let mut list = [None; MOST];
@@ -138,7 +139,7 @@ pub fn modes<S: Scalar>(touch: Touch, sides: Sides, friction: S) -> impl Iterato
     list.into_iter().flatten()
 }
 
-/// The sizes relative to which a rounded gap and a rounded velocity count as zero; an exact field does not need them.
+/// The magnitudes relative to which a rounded gap or velocity counts as zero; exact scalars ignore them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sizes<S> {
     pub length: S,
@@ -146,7 +147,7 @@ pub struct Sizes<S> {
 }
 
 impl<S: Ordered> Sizes<S> {
-    /// The sizes of the places and the velocities of a state.
+    /// The magnitudes of the coordinates and velocities of a state.
     pub fn of<const N: usize>(at: &State<S, N>) -> Self {
         let total = |v: [S; N]| v.into_iter().fold(S::zero(), |sum, x| sum + x.size());
         Sizes { length: total(at.place), speed: total(at.velocity) }
@@ -156,7 +157,7 @@ impl<S: Ordered> Sizes<S> {
 /// The state of every contact: open, at rest or sliding.
 ///
 /// # Errors
-/// [`Unfit`] names the first contact that penetrates or collides.
+/// [`Unfit`] with the index of the first contact that penetrates or collides.
 pub fn touches<Q, S, const N: usize, const C: usize, const K: usize>(
     system: &Q,
     at: &State<S, N>,

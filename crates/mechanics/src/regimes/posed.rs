@@ -1,4 +1,4 @@
-//! The data that decide the regimes of a state, computed once for all who need the verdict.
+//! The data of a state that determine its regimes.
 
 use super::{Dry, Ordered, Sizes, Touch, Unfit, touches};
 use crate::constrained::State;
@@ -7,12 +7,12 @@ use crate::definite::NotDefinite;
 use field::Over;
 use std::fmt;
 
-/// Why a state has no regimes to decide between.
+/// The reason why a state has no regimes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unposed {
     /// A contact penetrates or collides.
     Contact(Unfit),
-    /// The system's own constraints depend on each other.
+    /// The system's own constraints are dependent.
     Constraints(NotDefinite),
 }
 
@@ -27,10 +27,10 @@ impl fmt::Display for Unposed {
 
 impl std::error::Error for Unposed {}
 
-/// The contacts' accelerations under the system's own force, and the state of each contact.
+/// The accelerations of the contacts under the system's force, and the state of each contact.
 ///
 /// # Errors
-/// [`Unposed`].
+/// [`Unposed`] where a contact is violated or collides, or constraints are dependent.
 pub fn posed<Q, S, const N: usize, const C: usize, const K: usize>(
     system: &Q,
     at: &State<S, N>,

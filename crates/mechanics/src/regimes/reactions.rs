@@ -1,31 +1,32 @@
 //! All reactions that a regime admits.
 //!
-//! They form a polyhedron: equations, and forms that must not be negative. Its reactions lie in friction cones, which
-//! tight until the equations have one solution. A regular regime has one candidate; a singular one may admit none, one
-//! motion with many reactions (a body held by more supports than it needs), or a continuum of motions.
+//! The reactions form a polyhedron, given by equations and nonnegative forms. It lies in the friction cones, so that
+//! its vertices are found by making conditions tight until the equations have one solution. A regular regime has one
+//! candidate. A singular one may admit no motion, one motion with many reactions (a statically indeterminate body), or
+//! a continuum of motions.
 
 use super::conditions::Conditions;
 use super::dry::Pairs;
 use super::{Dry, Form, Mode, Ordered, Touch, conditions, equations};
 use std::cmp::Ordering;
 
-/// Whether reactions exist with which a regime obeys the laws of contact, and which.
+/// The reactions with which a regime satisfies the laws of contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reactions<S, const K: usize> {
     /// The regime is inconsistent.
     None,
-    /// One motion.
+    /// One motion is consistent.
     One {
-        /// Reactions of this motion: the only ones if they are determined.
+        /// Reactions of this motion; the only ones if `determined`.
         reactions: Pairs<S, K>,
-        /// Whether the motion determines them.
+        /// Whether the motion determines its reactions.
         determined: bool,
     },
-    /// Infinitely many motions, here are the reactions of one.
+    /// Infinitely many motions are consistent; the reactions are those of one.
     Continuum(Pairs<S, K>),
 }
 
-/// Whether reactions exist with which a regime obeys the laws of contact, and which.
+/// The reactions with which a regime satisfies the laws of contact.
 pub fn reactions<S: Ordered, const K: usize>(
     dry: &Dry<S, K>,
     touches: &[Touch; K],
@@ -55,7 +56,7 @@ enum Spread {
     Many,
 }
 
-/// The vertices and rays of the polyhedron so far: whether reactions and motions are one or many.
+/// The vertices and rays of the polyhedron found so far, to decide whether reactions and motions are unique.
 struct Span<'a, S, const K: usize> {
     dry: &'a Dry<S, K>,
     first: Option<Pairs<S, K>>,
@@ -82,7 +83,8 @@ impl<S: Ordered, const K: usize> Span<'_, S, K> {
         self.moves(ray, size(ray));
     }
 
-    /// W kappa is zero if and only if kappa moves nothing, since W is not indefinite.
+    /// Records a difference of reactions. W kappa is zero if and only if kappa does not change the motion, since W is
+    /// semidefinite.
     fn moves(&mut self, change: &Pairs<S, K>, among: S) {
         for row in self.dry.response.as_flattened() {
             let effect = Form { constant: S::zero(), row: *row }.at(change);
@@ -97,16 +99,16 @@ fn size<S: Ordered, const K: usize>(pairs: &Pairs<S, K>) -> S {
     pairs.as_flattened().iter().fold(S::zero(), |sum, x| sum + x.size())
 }
 
-/// Whether a form is not negative at some reactions, and whether it is zero there.
+/// The sign of a form for given reactions; zero within rounding.
 pub(super) fn sign_at<S: Ordered, const K: usize>(form: &Form<S, K>, reactions: &Pairs<S, K>) -> Ordering {
     let terms = form.row.as_flattened().iter().zip(reactions.as_flattened());
-    // a reaction that is small beside the others carries their rounding
+    // a reaction much smaller than the others has their rounding errors
     let all = size(reactions) * form.row.as_flattened().iter().fold(S::zero(), |most, a| most + a.size());
     let scale = terms.fold(form.constant.size() + all, |sum, (a, x)| sum + (*a * *x).size());
     form.at(reactions).sign_among(scale)
 }
 
-/// The vertices: at each, enough of the conditions from the `next` on are tight to leave one solution.
+/// Visits the vertices: at each, enough of the conditions from `next` on are tight for a unique solution.
 fn vertices<S: Ordered, const K: usize>(
     rows: &Echelon<S, K>,
     conditions: &Conditions<S, K>,
@@ -131,7 +133,7 @@ fn vertices<S: Ordered, const K: usize>(
     }
 }
 
-/// The rays, each with normal reactions of sum 1: a ray of the friction cones has some.
+/// Visits the rays, normalised to a sum 1 of the normal reactions.
 fn rays<S: Ordered, const K: usize>(
     dry: &Dry<S, K>,
     regime: &[Mode; K],
@@ -162,7 +164,7 @@ enum Inserted {
     Contradicts,
 }
 
-/// Independent linear equations, reduced: the row at a place has 1 there, and no other row has anything there.
+/// Linear equations in reduced row echelon form: each row has 1 at its pivot, where all other rows have 0.
 #[derive(Clone, Copy)]
 struct Echelon<S, const K: usize> {
     rows: [[Option<Form<S, K>>; 2]; K],
@@ -177,12 +179,12 @@ impl<S: Ordered, const K: usize> Echelon<S, K> {
         self.rows.as_flattened().iter().all(Option::is_some)
     }
 
-    /// The one solution of a full set.
+    /// The solution of a full set of equations.
     fn solution(&self) -> Pairs<S, K> {
         self.rows.map(|pair| pair.map(|row| row.map_or(S::zero(), |row| -row.constant)))
     }
 
-    /// Adds the equation form = 0. The largest entry becomes the pivot.
+    /// Adds the equation form = 0, with its largest entry as pivot.
     fn insert(&mut self, form: &Form<S, K>) -> Inserted {
         let (mut new, mut among) = (*form, form.constant.size());
         let mut width = size(&form.row);

@@ -1,24 +1,24 @@
-//! Numbers with a sign: the laws do not compare, but the choice between regimes must.
+//! Scalars with a sign, for the choice between regimes.
 
 use field::{Rational, Scalar};
 use std::cmp::Ordering;
 
-/// A field with an order.
+/// A scalar type with an order.
 pub trait Ordered: Scalar {
-    /// The sign of a number that was computed from terms of this size. `Equal` is exact over an exact field, and
-    /// "within rounding of zero" over a rounded one: a tie, which the verdict reports.
+    /// The sign of a number that was computed from terms of magnitude `size`. `Equal` is exact over exact scalars, and
+    /// means "zero within rounding" over rounded ones.
     fn sign_among(self, size: Self) -> Ordering;
 
-    /// Whether the number is neither infinite nor undefined.
+    /// Whether the number is neither infinite nor NaN.
     fn defined(self) -> bool;
 
-    /// |x|.
+    /// The magnitude |x|.
     fn size(self) -> Self {
         if self.sign_among(Self::zero()) == Ordering::Less { -self } else { self }
     }
 }
 
-/// Relative to the terms: the rounding error in double precision at the located state of an event.
+/// The relative rounding error, in double precision, at the located state of an event.
 const ROUNDING: f64 = 1e-11;
 
 impl Ordered for f64 {

@@ -1,4 +1,4 @@
-//! The consistent regimes, and whether they give one motion.
+//! The consistent regimes of a state, and the number of motions among them.
 
 use super::dry::Pairs;
 use super::mode::modes;
@@ -10,15 +10,15 @@ use std::cmp::Ordering;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found<S, const K: usize> {
     pub regime: [Mode; K],
-    /// Normal and tangential reaction of each contact, N.
+    /// The normal and tangential reaction of each contact, N.
     pub reactions: Pairs<S, K>,
-    /// Normal and tangential acceleration of each contact: they determine the motion. m/s^2
+    /// The normal and tangential acceleration of each contact, m/s^2; they identify the motion.
     pub motion: Pairs<S, K>,
     /// Whether the motion determines the reactions.
     pub determined: bool,
-    /// Whether the regime admits no other motion.
+    /// Whether the regime admits exactly one motion.
     pub single: bool,
-    /// The first condition that holds with equality (over rounded numbers: within rounding), with its contact.
+    /// The first condition that holds with equality (over rounded scalars: within rounding), with its contact.
     pub tie: Option<(usize, Condition)>,
 }
 
@@ -27,9 +27,9 @@ pub struct Found<S, const K: usize> {
 pub enum Consistency<S, const K: usize> {
     /// One motion.
     Unique(Found<S, K>),
-    /// No motion: with these laws the state has no acceleration.
+    /// No consistent motion.
     None,
-    /// At least these two, which differ.
+    /// At least two different motions.
     Several(Found<S, K>, Found<S, K>),
     /// A regime whose equations are singular admits infinitely many motions.
     Continuum(Found<S, K>),
@@ -44,7 +44,7 @@ impl<S: Ordered, const K: usize> Dry<S, K> {
     }
 }
 
-/// Shows every consistent regime, in the order of the modes.
+/// Visits every consistent regime, in the order of the modes.
 pub fn consistent<S: Ordered, const K: usize>(
     dry: &Dry<S, K>,
     touches: &[Touch; K],
@@ -54,7 +54,7 @@ pub fn consistent<S: Ordered, const K: usize>(
     choose(dry, touches, 0, &mut regime, &mut visit);
 }
 
-/// Every choice of modes from this contact on.
+/// Enumerates the modes of this contact and the following ones.
 fn choose<S: Ordered, const K: usize>(
     dry: &Dry<S, K>,
     touches: &[Touch; K],
@@ -85,7 +85,7 @@ fn visit_if_consistent<S: Ordered, const K: usize>(
     };
     let conditions = conditions(dry, touches, regime);
     let of_contacts = (0..K).flat_map(|k| conditions[k].iter().flatten().map(move |(name, form)| (k, *name, form)));
-    // where the reactions are not determined, a tie of one choice of them is none of the motion
+    // if the motion does not determine the reactions, a tie of one solution is not a property of the motion
     let tie = of_contacts
         .filter(|(_, _, form)| determined && sign_at(form, &reactions) == Ordering::Equal)
         .map(|(k, name, _)| (k, name))
@@ -111,7 +111,7 @@ pub fn verdict<S: Ordered, const K: usize>(dry: &Dry<S, K>, touches: &[Touch; K]
     verdict
 }
 
-/// Whether two regimes give different motions.
+/// Whether two regimes have different motions.
 pub fn differ<S: Ordered, const K: usize>(dry: &Dry<S, K>, a: &Found<S, K>, b: &Found<S, K>) -> bool {
     (0..K).any(|k| {
         (0..2).any(|i| {

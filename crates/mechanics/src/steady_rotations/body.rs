@@ -1,11 +1,11 @@
-//! The data, as integers over one denominator.
+//! The data of a body with spinning wheels, as integers with a common denominator.
 
 use super::spectrum::{Matrix, Vector};
 use algebra::real::{Field, Number, Root};
 use field::Rational;
 use nalgebra::{Matrix3, Vector3};
 
-/// M, h and G times one positive number.
+/// The tensor M, the wheels' angular momentum h and the weight vector G, multiplied by a common positive number.
 #[derive(Clone, Debug)]
 pub struct Body {
     pub(super) tensor: Matrix<Number>,
@@ -15,8 +15,8 @@ pub struct Body {
 }
 
 impl Body {
-    /// From the symmetric tensor M, kg m^2, the wheels' angular momentum for a unit of their speed, kg m^2, that speed,
-    /// rad/s, and the weight vector G, N m. `None` where a number is undefined.
+    /// A body from its symmetric tensor M (kg m^2), the wheels' angular momentum per unit speed (kg m^2), their speed
+    /// (rad/s), and the weight vector G (N m). `None` where a number is undefined.
     pub fn new(
         tensor: &Matrix3<Rational>,
         momentum: &Vector3<Rational>,
@@ -37,7 +37,7 @@ impl Body {
         let (speed, denominator) = (positive(speed), positive(denominator));
         let times = |n: &Number| n * &denominator;
         Some(Body {
-            // the tensor is symmetric, so that columns are rows
+            // the tensor is symmetric: columns are rows
             tensor: std::array::from_fn(|i| std::array::from_fn(|j| times(&whole[3 * i + j]))),
             weight: std::array::from_fn(|i| times(&whole[9 + i])),
             spin: std::array::from_fn(|i| &whole[12 + i] * &speed),

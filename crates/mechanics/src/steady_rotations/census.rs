@@ -1,32 +1,33 @@
-//! The number of uniform rotations, for every angular velocity.
+//! The number of uniform rotations as a function of the angular velocity.
 
 use super::{Body, Undecided};
 use field::Rational;
 
-/// The line of all angular velocities, divided where the number of rotations may change.
+/// The axis of angular velocities, divided where the number of rotations may change.
 pub struct Census {
     /// The intervals in ascending order; the first begins at minus infinity, the last ends at plus infinity.
     pub stretches: Vec<SpeedInterval>,
 }
 
-/// An open interval of angular velocities, rad/s, in which the number of directions is constant.
+/// An open interval of angular velocities (rad/s) in which the number of rotations is constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpeedInterval {
     pub from: f64,
     pub to: f64,
-    /// Isolated directions and families.
+    /// The numbers of isolated directions and of families.
     pub isolated: usize,
     pub families: usize,
 }
 
-/// Bits to which cuts are separated.
+/// The number of bits to which the ends of intervals are computed.
 const BITS: usize = 96;
 
 impl Body {
-    /// Counts once, exactly, between any two neighbouring folds and zero: the number cannot change there.
+    /// The number of rotations between any two adjacent folds and zero, each counted exactly at one angular velocity:
+    /// it cannot change within.
     ///
     /// # Errors
-    /// [`Undecided`]: the reason why folds may be missing.
+    /// [`Undecided`] with the reason why folds may be missing.
     pub fn census(&self) -> Result<Census, Undecided> {
         let folds = self.folds();
         if let Some(reason) = folds.undecided {

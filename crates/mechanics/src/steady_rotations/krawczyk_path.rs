@@ -1,44 +1,43 @@
-//! Continuation of a direction of uniform rotation along a path of data, with a proof that it is one and the same
-//! throughout.
+//! Continuation of a uniform rotation along a path of data, with a proof by Krawczyk's operator.
 //!
-//! z = (v, lambda) satisfies f(z; t) = ((K - lambda) v + b, (|v|^2 - 1)/2) = 0, where t runs along the path. With a point y of
-//! a box Z, times T and a matrix C near the inverse of f',
+//! The unknown z = (v, lambda) satisfies f(z; t) = ((K - lambda) v + b, (|v|^2 - 1)/2) = 0, where t runs along the
+//! path. For a point y of a box Z, an interval T of t and a matrix C near the inverse of f', the box
 //!
 //!   N = y - C f(y; T) + (1 - C f'(Z; T)) (Z - y)
 //!
-//! holds every solution in Z for t in T; where N lies inside of Z there is exactly one for each t (Krawczyk 1969, Moore
-//! 1977), and it moves continuously. Steps in t are taken until they reach the end. Towards a fold they become short, and
-//! none leads across it.
+//! contains every solution in Z for t in T. If N lies in the interior of Z there is exactly one solution for each t
+//! (Krawczyk 1969, Moore 1977), and it depends continuously on t. Steps in t are made up to the end; they become short
+//! near a fold, and none crosses a fold.
 
 use super::spectrum::{Matrix, Vector};
 use crate::linear_stability::real_roots;
 use algebra::real::Enclosure;
 use nalgebra::{Matrix4, Vector4};
 
-/// (v, lambda), enclosed.
+/// Enclosures of (v, lambda).
 pub type EnclosedPoint = [Enclosure; 4];
 
-/// (K, b)
+/// The data (K, b).
 pub type Data = (Matrix<Enclosure>, Vector<Enclosure>);
 
-/// K and b for all t in an interval between 0 and 1; `None` where they may be undefined.
+/// K and b for all t in a subinterval of [0, 1]; `None` where they may be undefined.
 pub type Path<'a> = dyn Fn(&Enclosure) -> Option<Data> + 'a;
 
-/// The shortest step, as a share of the path.
+/// The shortest step, as a fraction of the path.
 const LEAST: f64 = 1.0 / 1024.0;
-/// The least radius of a box, and the margin about the expected solution, as a share of the radius.
+/// The smallest radius of a box, and the margin around the expected solution, as a fraction of the radius.
 const MARGIN: f64 = 1e-9;
 const ROOM: f64 = 0.25;
-/// Boxes that are tried for a step.
+/// The number of boxes tried for a step.
 const TRIALS: usize = 3;
 /// Iterations of Newton's method.
 const ROUNDS: usize = 4;
 
-/// The solution at t = 1 on the path that begins at a solution at t = 0; `None` where the path is lost.
+/// The solution at t = 1 on the path that begins at the solution `from` at t = 0; `None` where the continuation fails.
 pub fn followed(path: &Path<'_>, from: &EnclosedPoint) -> Option<EnclosedPoint> {
     let (mut place, mut t, mut step) = (from.clone(), 0.0, 1.0);
     while t < 1.0 {
-        // halves of halves: every end is a float
+        // the ends of steps are dyadic numbers, exact in floating point
         let end = f64::min(t + step, 1.0);
         match across(path, &place, [t, end]) {
             Some(next) => (place, t, step) = (next, end, 2.0 * step),
@@ -49,7 +48,7 @@ pub fn followed(path: &Path<'_>, from: &EnclosedPoint) -> Option<EnclosedPoint> 
     Some(place)
 }
 
-/// One step.
+/// One step of the continuation.
 fn across(path: &Path<'_>, from: &EnclosedPoint, [start, end]: [f64; 2]) -> Option<EnclosedPoint> {
     let bits = from[0].bits();
     let at = |t: f64| Enclosure::float(t, bits);
@@ -59,7 +58,7 @@ fn across(path: &Path<'_>, from: &EnclosedPoint, [start, end]: [f64; 2]) -> Opti
         from.iter().zip(expected).map(|(z, to)| Some(z.hull(&at(to)?))).collect::<Option<_>>()?;
     let hull: EnclosedPoint = hull.try_into().ok()?;
     let during = path(&at(start)?.hull(&at(end)?))?;
-    // a box that its image N leaves is replaced by a wider one about the image
+    // if the image N is not inside the box, a wider box around the image is tried
     let mut boxed = wider(&hull, size(&begun))?;
     for _ in 0..TRIALS {
         let place = held(&during, &boxed)?;
@@ -71,7 +70,7 @@ fn across(path: &Path<'_>, from: &EnclosedPoint, [start, end]: [f64; 2]) -> Opti
     None
 }
 
-/// A box with room about it.
+/// A wider box.
 fn wider(hull: &EnclosedPoint, size: f64) -> Option<EnclosedPoint> {
     let widest = hull[..3].iter().map(Enclosure::radius).fold(MARGIN, f64::max);
     let room = |i: usize| {
@@ -83,7 +82,7 @@ fn wider(hull: &EnclosedPoint, size: f64) -> Option<EnclosedPoint> {
     all.try_into().ok()
 }
 
-/// The only solution in a box, as finely as the data determine it.
+/// The unique solution in a box, as precisely as the data determine it.
 pub fn sharpened(data: &Data, mut place: EnclosedPoint) -> Option<EnclosedPoint> {
     loop {
         let next = held(data, &place)?;
@@ -95,7 +94,7 @@ pub fn sharpened(data: &Data, mut place: EnclosedPoint) -> Option<EnclosedPoint>
     }
 }
 
-/// N: holds every solution in the box.
+/// The image N, which contains every solution in the box.
 fn held((k, b): &Data, boxed: &EnclosedPoint) -> Option<EnclosedPoint> {
     let bits = boxed[0].bits();
     let middle = boxed.each_ref().map(Enclosure::middle);
@@ -119,9 +118,9 @@ fn held((k, b): &Data, boxed: &EnclosedPoint) -> Option<EnclosedPoint> {
     Some(std::array::from_fn(component))
 }
 
-/// The number of solutions for every K and b in the enclosures: equal for all, and no two merge. `None` where this is
-/// not known. They are the real roots of |adj(K - x) b|^2 - det(K - x)^2, double wherever b is orthogonal to an
-/// eigenvector.
+/// The number of solutions, if it is equal for all K and b in the enclosures and no two solutions merge; `None`
+/// otherwise. The solutions are the real roots of |adj(K - x) b|^2 - det(K - x)^2, which has a double root if b is
+/// orthogonal to an eigenvector.
 pub fn count((k, b): &Data) -> Option<usize> {
     let zero = Enclosure::integer(0, b[0].bits());
     let sum = |terms: [Enclosure; 3]| terms.iter().fold(zero.clone(), |sum, term| &sum + term);
@@ -150,18 +149,18 @@ pub fn count((k, b): &Data) -> Option<usize> {
     real_roots(&(0..=6).rev().map(coefficient).collect::<Vec<_>>())
 }
 
-/// f
+/// The residual f.
 fn missing(k: &Matrix<Enclosure>, b: &Vector<Enclosure>, [v1, v2, v3, multiplier]: &EnclosedPoint) -> EnclosedPoint {
     let v = [v1, v2, v3];
     let row = |i: usize| (0..3).fold(&b[i] - &(multiplier * v[i]), |sum, j| &sum + &(&k[i][j] * v[j]));
     let one = Enclosure::integer(1, v1.bits());
     let excess = v.iter().fold(-&one, |sum, v| &sum + &(*v * *v));
-    // divided by 2, as the Jacobian is
+    // half of it, for consistency with the Jacobian
     let half = Enclosure::float(0.5, v1.bits()).map_or(excess.clone(), |half| &half * &excess);
     [row(0), row(1), row(2), half]
 }
 
-/// f'
+/// The Jacobian f'.
 fn slopes(k: &Matrix<Enclosure>, place: &EnclosedPoint) -> [[Enclosure; 4]; 4] {
     let zero = Enclosure::integer(0, place[0].bits());
     std::array::from_fn(|i| {
@@ -175,7 +174,7 @@ fn slopes(k: &Matrix<Enclosure>, place: &EnclosedPoint) -> [[Enclosure; 4]; 4] {
     })
 }
 
-/// The solution near a point, in floats: a guess.
+/// The solution near a point in double precision, without proof.
 fn newton((k, b): &Data, from: [f64; 4]) -> Option<[f64; 4]> {
     let k = k.each_ref().map(|row| row.each_ref().map(Enclosure::to_f64));
     let b = b.each_ref().map(Enclosure::to_f64);
@@ -194,7 +193,7 @@ fn newton((k, b): &Data, from: [f64; 4]) -> Option<[f64; 4]> {
     z.iter().all(|x| x.is_finite()).then(|| z.into())
 }
 
-/// The size of multipliers.
+/// The magnitude of the multipliers.
 fn size((k, b): &Data) -> f64 {
     k.iter().flatten().chain(b).map(|x| x.to_f64().abs()).fold(0.0, f64::max)
 }
@@ -205,7 +204,7 @@ mod tests {
 
     const BITS: usize = 96;
 
-    /// K = diag(1, 2, 3), and b from one vector to another.
+    /// Data with K = diag(1, 2, 3), and b on the segment between two vectors.
     fn path(from: [f64; 3], to: [f64; 3]) -> impl Fn(&Enclosure) -> Option<Data> {
         let number = |x: f64| Enclosure::float(x, BITS).unwrap();
         let b = move |t: &Enclosure, i: usize| &number(from[i]) + &(t * &number(to[i] - from[i]));
@@ -234,7 +233,7 @@ mod tests {
 
     #[test]
     fn a_direction_is_followed_through_a_multiplier_that_is_an_eigenvalue() {
-        // b2 turns its sign, v2 does not: lambda passes through K2
+        // b2 changes its sign, v2 does not: lambda passes through K2
         let law = path(SMALL, [0.075, -0.2, 0.025]);
         let end = followed(&law, &start(&law, [0.0, 1.0, 0.0, 2.05])).unwrap().each_ref().map(Enclosure::to_f64);
         assert!(end[1] > 0.9 && end[3] < 2.0, "{end:?}");
@@ -256,7 +255,7 @@ mod tests {
 
     #[test]
     fn a_direction_that_ends_in_a_fold_is_not_followed_across_it() {
-        // with b ten times as long only the least and the greatest multiplier are left
+        // with a tenfold b only the smallest and the largest multiplier remain
         let law = path(SMALL, SMALL.map(|b| 10.0 * b));
         assert!(followed(&law, &start(&law, [0.0, 1.0, 0.0, 2.05])).is_none());
         assert!(followed(&law, &start(&law, [-1.0, 0.0, 0.0, 0.92])).is_some());

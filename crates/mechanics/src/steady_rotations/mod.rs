@@ -1,30 +1,30 @@
-//! Uniform rotations about the vertical: all of them, exactly.
+//! Uniform rotations of a rigid body with spinning wheels about the vertical: all solutions, exactly.
 //!
-//! A body with a fixed point, the tensor M about it, an own angular momentum h that is constant in the body (spinning
-//! wheels), and the weight vector G turns uniformly with the angular velocity w about the direction v, fixed in the body
+//! The body has a fixed point, the tensor M about it, a constant own angular momentum h in the body (spinning wheels),
+//! and the weight vector G. It rotates uniformly with the angular velocity w about the direction v, fixed in the body
 //! and in space, if and only if v is a critical point on the unit sphere of
 //!
 //!   W(v) = 1/2 w^2 v.M v + w h.v + G.v :    (w^2 M - lambda) v + w h + G = 0 ,    |v| = 1 ,
 //!
-//! with a multiplier lambda. Elimination leaves one polynomial in lambda alone.
+//! with a multiplier lambda. Elimination gives one polynomial in lambda.
 //!
 //! # Overview
-//! * [`Body`]: M, h, G exactly; h may hold one algebraic number;
-//! * `spectrum`: (K - lambda) v + b = 0 as polynomials in lambda, and the unseen eigenvalues, whose eigenvectors are
-//!   orthogonal to b;
+//! * [`Body`]: exact M, h, G; h may depend on one algebraic number;
+//! * `spectrum`: (K - lambda) v + b = 0 as polynomials in lambda, and the eigenvalues whose eigenvectors are orthogonal
+//!   to b ("unseen");
 //! * [`Rotations`] ([`Body::rotations`]): all v for a given w;
 //! * [`Selected`]: all (v, w) for a given angular momentum about the vertical ([`Body::at_momentum`]), and the folds,
 //!   where rotations merge in saddle-node bifurcations ([`Body::folds`]);
 //! * [`Census`] ([`Body::census`]): the number of rotations, for every w;
-//! * [`followed()`]: continuation of a rotation along a path of data, proved to be the same at both ends.
+//! * [`followed()`]: continuation of a rotation along a path of data, with a proof.
 //!
 //! # Key results
-//! In general position there are two, four or six directions for a given w: one for lambda below and one above all
-//! eigenvalues, and none or two in each gap between them. Where b is orthogonal to an eigenspace of K, pairs, circles or
-//! the whole sphere may come in addition; they are found as such.
+//! In general there are two, four or six directions for a given w: one for lambda below and one above all eigenvalues,
+//! and none or two in each gap between eigenvalues. If b is orthogonal to an eigenspace of K, there may be additional
+//! pairs, circles or the whole sphere.
 //!
 //! # References
-//! The equation in lambda is known from trust regions (More, Sorensen 1983; "hard case").
+//! The equation in lambda is that of trust region methods (More, Sorensen 1983; "hard case").
 
 mod body;
 mod census;

@@ -1,4 +1,4 @@
-//! All directions of uniform rotation for a given angular velocity.
+//! All directions of uniform rotation for a given angular velocity w.
 
 use super::Body;
 use super::spectrum::{Matrix, Spectrum, Vector, dot};
@@ -10,9 +10,9 @@ use std::sync::Arc;
 pub struct Rotations {
     /// Isolated directions in ascending order of their multipliers, then families.
     pub motions: Vec<SteadyRotation>,
-    /// The degree of the polynomial in lambda whose real roots are the directions that no symmetry repeats.
+    /// The degree of the polynomial in lambda, whose real roots are the directions without symmetric pairs.
     pub degree: usize,
-    /// The number of its different real roots, by Descartes' rule.
+    /// The number of its distinct real roots, by Descartes' rule.
     pub roots: usize,
     case: Arc<Case>,
 }
@@ -22,47 +22,48 @@ pub struct Rotations {
 pub struct SteadyRotation {
     pub shape: Shape,
     pub kind: Kind,
-    /// lambda times a positive number that is the same for all.
+    /// lambda times a common positive number.
     multiplier: Root,
     case: Arc<Case>,
 }
 
-/// The shape of a set of directions of one motion.
+/// The shape of a connected set of directions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// One direction.
     Point,
-    /// One of two that a symmetry exchanges: on the positive or negative side of the eigenvector at a place.
+    /// One of two directions exchanged by a symmetry: on the positive or negative side of the eigenvector with index
+    /// `place`.
     Pair { place: usize, positive: bool },
-    /// A circle about the axis across the eigenspace at a place.
+    /// A circle about the normal of the eigenspace with index `place`.
     Circle { place: usize },
     /// Every direction.
     Sphere,
 }
 
-/// The kind of critical point of W on the sphere (across the family, where there is one).
+/// The kind of critical point of W on the sphere; for a family, transverse to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     Minimum,
     Saddle,
     Maximum,
-    /// The second derivative does not decide: motions merge here.
+    /// The second derivative is degenerate: rotations merge here.
     Degenerate,
 }
 
 struct Case {
     spectrum: Spectrum,
-    /// F = |N|^2 - q^2, so that |v|^2 - 1 = F / q^2
+    /// The polynomial F = |N|^2 - q^2, with |v|^2 - 1 = F / q^2.
     excess: Polynomial,
-    /// The divisor that turns the multipliers into lambda, N m.
+    /// The divisor that gives lambda in N m from the multipliers.
     scale: Number,
 }
 
-/// Bits of working precision that are tried in turn.
+/// The working precisions tried in turn, in bits.
 const BITS: [usize; 8] = [128, 256, 512, 1024, 2048, 4096, 8192, 16384];
 
 impl Body {
-    /// All directions about which the body turns with the angular velocity w, rad/s. `None` where that is undefined.
+    /// All directions of rotation with the angular velocity w, rad/s. `None` where w is undefined.
     pub fn rotations(&self, w: Rational) -> Option<Rotations> {
         let (numerator, d) = Number::over_common(&[w])?;
         let n = numerator.first()?.clone();
@@ -97,14 +98,14 @@ impl Rotations {
         Rotations { degree: case.excess.degree().unwrap_or(0), roots: count, motions, case }
     }
 
-    /// The number of the polynomial's different real roots by Sturm's theorem, a second route that costs more than
+    /// The number of distinct real roots of the polynomial by Sturm's theorem: an independent check, slower than
     /// isolation.
     pub fn roots_by_sturm(&self) -> usize {
         self.case.excess.count_by_sturm()
     }
 
-    /// Minima - saddles + maxima, with a family's own Euler characteristic as its factor: 2, the sphere's, by Morse's
-    /// theorem. `None` where a degenerate point hides some of them.
+    /// The Morse sum minima - saddles + maxima, each family weighted by its Euler characteristic; it must be 2, that of
+    /// the sphere. `None` where there is a degenerate point.
     pub fn morse(&self) -> Option<i32> {
         let each = self.motions.iter().map(|motion| match (motion.shape, motion.kind) {
             (Shape::Circle { .. }, _) => Some(0),
@@ -121,9 +122,8 @@ impl Rotations {
         self.motions.iter().filter(|motion| matches!(motion.shape, Shape::Point | Shape::Pair { .. })).count()
     }
 
-    /// Boxes of directions, each no wider than 2^-bits, that lie apart from each other: one for each isolated
-    /// direction, and each holds exactly one. For a family: the box of its centre. `None` where 16384 bits do not
-    /// suffice.
+    /// Disjoint boxes of directions of width at most 2^-bits: each isolated direction has one, which contains no other.
+    /// For a family: the box of its centre. `None` where 16384 bits do not suffice.
     pub fn boxes(&self, bits: usize) -> Option<Vec<Vector<Enclosure>>> {
         let mut bits = bits;
         while bits <= 4096 {
@@ -140,26 +140,26 @@ impl Rotations {
 }
 
 impl SteadyRotation {
-    /// v within 2^-bits in every component; of a circle its centre, of the sphere zero.
+    /// The direction v to 2^-bits in every component; for a circle its centre, for the sphere zero.
     pub fn direction(&self, bits: usize) -> Option<Vector<Enclosure>> {
         let close = |v: &Vector<Enclosure>| v.iter().all(|x| x.is_within(bits));
         BITS.into_iter().filter(|work| *work > bits).filter_map(|work| self.at(work)).find(close)
     }
 
-    /// The ends of the interval in which lambda, N m, was isolated: no other root lies in it.
+    /// The ends of the interval that isolates lambda, N m: it contains no other root.
     pub fn interval(&self) -> Option<[f64; 2]> {
         let bits = BITS[1];
         let scale = self.case.scale.enclosure(bits);
         Some(self.multiplier.interval(bits).over(&scale)?.ends())
     }
 
-    /// lambda, N m.
+    /// The multiplier lambda to 2^-bits, N m.
     pub fn multiplier(&self, bits: usize) -> Option<Enclosure> {
         let of = |work| self.multiplier.enclosure(work).over(&self.case.scale.enclosure(work));
         BITS.into_iter().filter(|work| *work > bits).filter_map(of).find(|x| x.is_within(bits))
     }
 
-    /// The radius of a family about its centre.
+    /// The radius of a circle or sphere about its centre.
     pub fn radius(&self, bits: usize) -> Option<Enclosure> {
         let at = |work| self.case.reach(&self.multiplier.enclosure(work), work);
         BITS.into_iter().filter(|work| *work > bits).filter_map(at).find(|r| r.is_within(bits))
@@ -189,8 +189,8 @@ impl SteadyRotation {
 }
 
 impl Case {
-    /// The kind by the signature of K - lambda on the tangent plane: that of K - lambda in space, less the sign of
-    /// v.(K - lambda)^-1 v, which is half the derivative of |v|^2 and has the sign of F'.
+    /// The kind from the signature of K - lambda on the tangent plane: that in space, less the sign of v.(K -
+    /// lambda)^-1 v, which is half the derivative of |v|^2 and has the sign of F'.
     fn kind(&self, multiplier: &Root) -> Kind {
         let slope = multiplier.sign_of(&self.excess.derivative());
         match (self.spectrum.around(multiplier), slope) {
@@ -199,8 +199,8 @@ impl Case {
         }
     }
 
-    /// The directions added by an eigenvalue whose eigenvector is orthogonal to b: v = -N/q + z with z in its
-    /// eigenspace and |z|^2 = -F/q^2. A direction with z = 0 is a root of F, and found there.
+    /// The additional directions of an eigenvalue whose eigenvector is orthogonal to b: v = -N/q + z with z in its
+    /// eigenspace and |z|^2 = -F/q^2. A direction with z = 0 is a root of F and is not included.
     fn beyond(case: &Arc<Self>, place: usize) -> Vec<SteadyRotation> {
         let (multiplier, multiplicity) = &case.spectrum.eigenvalues[place];
         if multiplier.sign_of(&case.excess) >= 0 {
@@ -216,7 +216,7 @@ impl Case {
         shapes.into_iter().map(of_shape).collect()
     }
 
-    /// sqrt(-F)/|q| = sqrt(1 - |N/q|^2)
+    /// The radius sqrt(-F)/|q| = sqrt(1 - |N/q|^2).
     fn reach(&self, at: &Enclosure, bits: usize) -> Option<Enclosure> {
         let q = self.spectrum.seen.enclosure(at, bits);
         let n = &self.spectrum.numerators[0];
@@ -227,7 +227,7 @@ impl Case {
 }
 
 impl Kind {
-    /// The kind by the number of directions in which W falls.
+    /// The kind from the number of directions in which W decreases.
     pub(super) fn of(falling: usize) -> Self {
         match falling {
             0 => Kind::Minimum,

@@ -1,4 +1,4 @@
-//! (K - x) v + b = 0 as polynomials in x.
+//! The equation (K - x) v + b = 0 in terms of polynomials in x.
 
 use algebra::real::{Enclosure, Number, Polynomial, Root};
 use std::cmp::Ordering;
@@ -6,18 +6,18 @@ use std::cmp::Ordering;
 pub(super) type Vector<T> = [T; 3];
 pub(super) type Matrix<T> = [[T; 3]; 3];
 
-/// The resolvent of K on one or two vectors in lowest terms, and the eigenvalues that do not enter it.
+/// The resolvent of K applied to one or two vectors, in lowest terms, and the eigenvalues that cancel.
 pub(super) struct Spectrum {
-    /// adj(K - x)
+    /// The adjugate adj(K - x).
     pub adjugate: Matrix<Polynomial>,
     /// Eigenvalues in ascending order, with their multiplicities.
     pub eigenvalues: Vec<(Root, usize)>,
-    /// q: the polynomial of least degree whose roots are the eigenvalues whose eigenvectors are not orthogonal to the
+    /// The polynomial q of least degree whose roots are the eigenvalues with eigenvectors not orthogonal to all the
     /// vectors.
     pub seen: Polynomial,
-    /// N_k with (K - x) N_k = q b_k.
+    /// The numerators N_k with (K - x) N_k = q b_k.
     pub numerators: Vec<Vector<Polynomial>>,
-    /// The places of the other eigenvalues.
+    /// The indices of the other eigenvalues.
     pub unseen: Vec<usize>,
 }
 
@@ -40,7 +40,7 @@ impl Spectrum {
             Some(0) => common,
             _ => common.gcd(p),
         });
-        // one power for all: the quotients keep their ratios
+        // one common power, so that ratios are preserved
         let reduced = |p: &Polynomial| match common.degree() {
             Some(0) => p.clone(),
             _ => p.quotient(&common, 4),
@@ -68,7 +68,7 @@ impl Spectrum {
         Spectrum { adjugate, eigenvalues, seen, numerators, unseen }
     }
 
-    /// The numbers of eigenvalues below and above a number; `None` where the number is an eigenvalue.
+    /// The numbers of eigenvalues below and above x; `None` where x is an eigenvalue.
     pub fn around(&self, x: &Root) -> Option<[usize; 2]> {
         let mut counts = [0, 0];
         for (eigenvalue, multiplicity) in &self.eigenvalues {
@@ -81,16 +81,16 @@ impl Spectrum {
         Some(counts)
     }
 
-    /// The numbers of eigenvalues below and above the one at a place.
+    /// The numbers of eigenvalues below and above the one with index `place`.
     pub fn beside(&self, place: usize) -> [usize; 2] {
         let count = |part: &[(Root, usize)]| part.iter().map(|(_, multiplicity)| multiplicity).sum();
         [count(&self.eigenvalues[..place]), count(&self.eigenvalues[place + 1..])]
     }
 
-    /// A unit vector along the eigenvector of a simple eigenvalue, `None` where these bits do not tell.
+    /// A unit eigenvector of a simple eigenvalue; `None` where the precision is too low.
     pub fn eigenvector(&self, place: usize, bits: usize) -> Option<Vector<Enclosure>> {
         let at = self.eigenvalues[place].0.enclosure(bits);
-        // adj(K - k) = c u u^T with c its trace: column i is c u_i u
+        // adj(K - k) = c u u^T, c its trace: column i is c u_i u
         let entry = |i: usize, j: usize| self.adjugate[i][j].enclosure(&at, bits);
         let trace = &(&entry(0, 0) + &entry(1, 1)) + &entry(2, 2);
         let column = (0..3).max_by(|&i, &j| entry(i, i).to_f64().abs().total_cmp(&entry(j, j).to_f64().abs()))?;
@@ -99,19 +99,20 @@ impl Spectrum {
         unit.try_into().ok()
     }
 
-    /// A unit vector across the eigenspace of a double eigenvalue; the first axis where the eigenvalue is threefold.
+    /// A unit normal of the eigenspace of a double eigenvalue, which is the eigenvector of the other one; `None` for a
+    /// triple eigenvalue.
     pub fn normal(&self, place: usize, bits: usize) -> Option<Vector<Enclosure>> {
         let other = (0..self.eigenvalues.len()).find(|&k| k != place)?;
         self.eigenvector(other, bits)
     }
 }
 
-/// a.b
+/// The scalar product a.b.
 pub(super) fn dot(a: &Vector<Polynomial>, b: &Vector<Polynomial>) -> Polynomial {
     sum((0..3).map(|i| &a[i] * &b[i]))
 }
 
-/// a.b with numbers b.
+/// The scalar product a.b with constant b.
 pub(super) fn along(a: &Vector<Polynomial>, b: &Vector<Number>) -> Polynomial {
     sum((0..3).map(|i| scaled(&a[i], &b[i])))
 }

@@ -1,29 +1,29 @@
-//! The letters and operations that the expressions of a motor may contain, with the reasons for refusing others.
+//! The symbols and operations allowed in the expressions of a motor, with reasons for the rejection of others.
 
 use symbolic::{Dimension, HIGHEST_MULTIPLE, Node, Reason, Sym, Vocabulary, dimension};
 
-/// g, the angle from the stator's field to the rotor.
+/// The angle g from the stator's field to the rotor.
 pub const ANGLE: &str = "g";
-/// g', the slip.
+/// The slip g'.
 pub const SLIP: &str = "g'";
-/// phi', the speed relative to the stator.
+/// The speed phi' relative to the stator.
 pub const SPEED: &str = "phi'";
 
-/// The accepted form of a voltage of sliding conductors.
+/// The accepted form of a motional voltage.
 const AFFINE: &str = "affine in the currents: a constant, and constant multiples of them";
 
-/// The words of messages on mutual induction, which no law contains.
+/// The phrase for mutual induction, which the laws do not support.
 pub const INDUCED: &str = "no winding induces in another: M di/dt stands in no law";
 
-/// The largest numerator and denominator of a number in a law.
+/// The largest number of digits of numerator and denominator of a number.
 const DIGITS: i32 = 18;
 
 /// The variables of the motion that an expression may contain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum KnownMotion {
-    /// Parameters alone.
+    /// None: parameters only.
     Rest,
-    /// The angle to the field, by its cosine and sine.
+    /// The angle, by its cosine and sine.
     Angle,
     /// The slip and the speed.
     Speeds,
@@ -31,12 +31,12 @@ pub enum KnownMotion {
     Currents,
 }
 
-/// Whether a name is a letter of the motion or a function, in every motor.
+/// Whether a name is reserved for a variable of the motion or a function.
 pub fn is_taken(name: &str) -> bool {
     [ANGLE, SLIP, SPEED, "cos", "sin", "sqrt"].contains(&name)
 }
 
-/// The letters of one expression: parameters with their dimensions, and the variables of the motion that it may
+/// The symbols of one expression: parameters with their dimensions, and the variables of the motion that it may
 /// contain.
 #[derive(Clone, Debug)]
 pub struct Letters<'a> {
@@ -47,10 +47,10 @@ pub struct Letters<'a> {
 }
 
 impl Letters<'_> {
-    /// The dimension of an expression in these letters; `None` for zero, which is of every dimension.
+    /// The dimension of an expression; `None` for zero, which has any dimension.
     ///
     /// # Errors
-    /// Two terms that do not agree, or an angle that is no number.
+    /// Terms of different dimensions, or an angle that is not a pure number.
     pub fn dimension(&self, expression: Sym) -> Result<Option<Dimension>, Reason> {
         let of = |name: &str| match name {
             ANGLE => Some(Dimension::none()),
@@ -61,7 +61,7 @@ impl Letters<'_> {
         dimension(expression, &of).map_err(|mismatch| Reason::Refused(mismatch.to_string()))
     }
 
-    /// All that may stand here, for messages.
+    /// All allowed symbols, for messages.
     pub fn known(&self) -> String {
         let motion = match self.motion {
             KnownMotion::Rest => Vec::new(),
@@ -79,7 +79,7 @@ impl Letters<'_> {
         known.join(", ")
     }
 
-    /// Why no law has this name of textbooks; `None` for other names.
+    /// The reason why no law has this symbol of textbooks; `None` for other names.
     fn never_known(&self, name: &str) -> Option<String> {
         let rate = name.trim_end_matches(['\'', '\u{2032}', '\u{2033}']);
         match name {

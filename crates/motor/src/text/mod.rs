@@ -1,6 +1,6 @@
-//! Motors as text in a scene file: the letters of their expressions, and the reasons for refusing others.
+//! Motors given by text in a scene file: the symbols of their expressions, with reasons for the rejection of others.
 //!
-//! Its laws become a [`Motor`](super::Motor) as those of the catalogue do.
+//! Their laws become a [`Motor`](super::Motor) like those of the catalogue.
 
 mod letters;
 
@@ -11,5 +11,5 @@ use reader::Quantity;
 /// The name of the model in scene files.
 pub const NAME: &str = "text";
 
-/// W, which every motor as text has.
+/// The frame speed W, a datum of every motor given by text.
 pub const FIELD_SPEED: Quantity = Quantity::any("field_speed", "rad/s", "speed of the stator's field");

@@ -1,4 +1,4 @@
-//! One law of a motor as text: an expression with a dimension.
+//! One law of a motor given by text: an expression with a physical dimension.
 
 use super::names::Names;
 use crate::text::{INDUCED, KnownMotion};
@@ -6,16 +6,16 @@ use reader::{At, Issue, NO_MUTUAL_INDUCTANCE, Table};
 use symbolic::{NotExpression, Reason, Sym, parse_in};
 use units::{Dimension, nearest};
 
-/// A law of more letters is not written by a person.
+/// The largest number of symbols of a law.
 const LETTERS: usize = 2000;
 
-/// The name of a law, for messages.
+/// The kind of a law, for messages.
 #[derive(Clone, Copy)]
 pub struct Kind {
     pub key: &'static str,
     pub meaning: &'static str,
     pub unit: &'static str,
-    /// The letters of the motion that it may use.
+    /// The variables of the motion that it may contain.
     pub motion: KnownMotion,
 }
 
@@ -25,10 +25,10 @@ impl Kind {
     }
 }
 
-/// Reads the laws of a motor; a fault that many laws share is reported once.
+/// Reads the laws of a motor; a fault common to several laws is reported once.
 pub struct Reader<'a> {
     pub names: &'a Names,
-    /// (the error, the parameters of the law), for laws that do not agree with the dimensions of these.
+    /// The issue and the parameters of each law with inconsistent dimensions.
     mismatched: Vec<(Issue, Vec<String>)>,
 }
 
@@ -38,7 +38,7 @@ impl<'a> Reader<'a> {
         Reader { names, mismatched: Vec::new() }
     }
 
-    /// An expression with the dimension of a unit; `None` where it is wrong, which is reported.
+    /// Reads an expression with the dimension of a unit; `None` where it is faulty, which is reported.
     pub fn law(&mut self, table: &mut Table<'_>, kind: Kind) -> Option<At<Sym>> {
         let letters = self.names.letters(kind.motion);
         let text = table.text(kind.key, &format!("{}, an expression in {}", kind.meaning, letters.known()));
@@ -72,7 +72,7 @@ impl<'a> Reader<'a> {
         None
     }
 
-    /// As [`Reader::law`], for a law that may be left out.
+    /// As [`Reader::law`], for an optional law.
     pub fn optional(&mut self, table: &mut Table<'_>, kind: Kind) -> Option<At<Sym>> {
         if table.has(kind.key) {
             return self.law(table, kind);
@@ -108,8 +108,8 @@ impl<'a> Reader<'a> {
         self.mismatched.push((issue, names));
     }
 
-    /// Faults in the dimensions of laws: laws that are off by the same dimension and hold a common parameter have one
-    /// cause, which is reported once.
+    /// The issues of inconsistent dimensions: laws that differ from their dimension by the same factor and have a
+    /// common parameter are reported once.
     pub fn mismatches(self) -> Vec<Issue> {
         let mut told: Vec<(Issue, Vec<String>, usize)> = Vec::new();
         for (issue, names) in self.mismatched {

@@ -32,7 +32,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use symbolic::Sym;
 
-/// The largest numbers of windings, more than any damper has, and of parameters.
+/// The largest numbers of windings and of parameters.
 const WINDINGS: usize = 100;
 const PARAMETERS: usize = 200;
 
@@ -67,14 +67,14 @@ const MOTIONAL: Kind = Kind {
     motion: KnownMotion::Currents,
 };
 
-/// The places of a winding's data in the file.
+/// The positions of a winding's data in the file.
 struct Places {
     inductance: Range<usize>,
     resistance: Range<usize>,
     motional: Option<Range<usize>>,
 }
 
-/// Reads the rest of the table `[machine]` of a motor as text.
+/// Reads the rest of the table `[machine]` of a motor given by text.
 pub(super) fn read(mut table: Table<'_>, issues: &mut Vec<Issue>) -> Option<Motor> {
     let mut wrong = Vec::new();
     let (span, allowed) = (table.span(), table.allowed());
@@ -164,14 +164,14 @@ pub(super) fn read(mut table: Table<'_>, issues: &mut Vec<Issue>) -> Option<Moto
     (issues.len() == found).then_some(motor)
 }
 
-/// A datum of a winding beyond its bound.
+/// The issue of a winding's datum that is outside its bound.
 fn beyond(what: &str, unit: &str, bound: Bound, value: f64, place: Range<usize>, allowed: Allowed) -> Option<Issue> {
     let issue = Issue::at(place, format!("`{what}` of a winding {}", bound.broken()), format!("it is {value} {unit}"));
     (!bound.holds(value, allowed)).then(|| issue.accepted(bound.accepted(value)))
 }
 
-/// Windings that share flux: the conductors of one slide through the flux that the currents of several others set up
-/// together. Such windings induce in each other, which no law here contains: their voltages would be lost.
+/// The issue of windings that share flux: if conductors of one winding slide through the flux of several others, these
+/// induce voltages in each other, which the laws do not include.
 fn shared_flux(windings: &[Winding<Sym, Sym>], places: &[Places]) -> Option<Issue> {
     let sharing = windings.iter().zip(places).filter_map(|(winding, places)| {
         let leaves = winding.motional?.leaves_of();
@@ -199,7 +199,8 @@ fn shared_flux(windings: &[Winding<Sym, Sym>], places: &[Places]) -> Option<Issu
     Some(Issue::at(place, "`motional` holds the flux of windings with mutual inductance", label).accepted(accepted))
 }
 
-/// A winding whose current has this name, and where its data stand; none where it is faulty, which the table then reports.
+/// Reads a winding whose current has this name, with the positions of its data; `None` where it is faulty, which is
+/// reported.
 fn read_winding(table: &mut Table<'_>, current: &str, laws: &mut Reader<'_>) -> Option<(Places, Winding<Sym, Sym>)> {
     let flux = laws.optional(table, FLUX);
     let inductance = laws.law(table, INDUCTANCE);

@@ -1,4 +1,4 @@
-//! The names in expressions of a motor as text: its parameters and its currents.
+//! The names in expressions of a motor given by text: its parameters and currents.
 
 use crate::text::{FIELD_SPEED, KnownMotion, Letters, is_taken};
 use reader::{At, Bound, Issue, Quantity, Table};
@@ -6,23 +6,23 @@ use std::cell::RefCell;
 use symbolic::Sym;
 use units::Dimension;
 
-/// The names of a file, and those whose faults were reported already.
+/// The names of a file, including those whose faults were already reported.
 #[derive(Default)]
 pub struct Names {
-    /// The parameters in the order of the file, the field's speed first.
+    /// The parameters in the order of the file, after the frame speed.
     pub given: Vec<(Quantity, Dimension, f64)>,
     pub currents: Vec<String>,
     dimensions: Vec<(String, symbolic::Dimension)>,
-    /// Names whose own entries are wrong, which is reported there.
+    /// Names whose own entries are faulty and reported.
     broken: Vec<String>,
-    /// Whether the table of the parameters has a wrong name, which is reported there.
+    /// Whether the table of parameters has a faulty name, which is reported.
     lost: bool,
-    /// Names that no entry gives, once they are reported.
+    /// Unknown names that were already reported.
     told: RefCell<Vec<String>>,
 }
 
 impl Names {
-    /// The names of a motor whose only parameter is the field's speed.
+    /// The names of a motor whose only parameter is the frame speed (rad/s).
     pub fn new(field_speed: f64) -> Self {
         let mut names = Names::default();
         names.add(FIELD_SPEED, Dimension::of(&FIELD_SPEED.unit), field_speed);
@@ -34,12 +34,12 @@ impl Names {
         self.given.push((quantity, dimension, value));
     }
 
-    /// The letters of an expression.
+    /// The symbols of an expression.
     pub fn letters(&self, motion: KnownMotion) -> Letters<'_> {
         Letters { parameters: &self.dimensions, currents: &self.currents, motion }
     }
 
-    /// Whether an unknown name in an expression is to be reported: once, and not where its own entry is wrong.
+    /// Whether an unknown name must be reported: once, and not if its own entry is faulty.
     pub fn is_news(&self, name: &str) -> bool {
         let known = self.lost || self.broken.iter().any(|broken| broken == name);
         let mut told = self.told.borrow_mut();
@@ -55,18 +55,18 @@ impl Names {
         self.dimensions.iter().any(|(known, _)| known == name)
     }
 
-    /// Notes that the table of the parameters has a wrong name.
+    /// Records that the table of parameters has a faulty name.
     pub fn lose_parameters(&mut self) {
         self.lost = true;
     }
 
-    /// A name that an expression cannot hold is read there as the names in it.
+    /// Marks a faulty name and the valid names within it, as an expression would read them.
     fn break_name(&mut self, name: &str) {
         let parts = name.split(|letter: char| !(letter.is_alphanumeric() || letter == '_' || letter == '\''));
         self.broken.extend(parts.chain([name]).map(str::to_owned));
     }
 
-    /// The names of the currents: x, i1, i2, ... where a winding does not give its own.
+    /// Reads the names of the currents; x, i1, i2, ... by default.
     pub fn read_currents(&mut self, windings: &mut [Table<'_>]) {
         for (k, table) in windings.iter_mut().enumerate() {
             let usual = if k == 0 { "x".to_owned() } else { format!("i{k}") };
@@ -91,7 +91,7 @@ impl Names {
         }
     }
 
-    /// The parameters of the file, of any dimension.
+    /// Reads the parameters of the file, of any dimension.
     pub fn read_parameters(&mut self, table: &mut Table<'_>) {
         for At { value: name, span } in table.keys() {
             let read = table.of_any_unit(&name);
@@ -118,7 +118,7 @@ impl Names {
     }
 }
 
-/// Whether an expression reads it as one name.
+/// Whether an expression reads the text as a single name.
 fn is_name(text: &str) -> bool {
     symbolic::parse(text, &|name| Some(Sym::symbol(name))).ok().and_then(Sym::symbol_name).as_deref() == Some(text)
 }

@@ -1,8 +1,8 @@
-//! The series of many systems of one kind at once, each with data of its own.
+//! Taylor series of a batch: many systems of one kind at once, with different data.
 //!
-//! All numbers are lanes, and every quantity is computed by itself. Loading and addressing the numbers is most of the cost:
-//! products are therefore formed for four orders at a time, two of them together where they share a factor, and likewise
-//! sums of the same quantities.
+//! All numbers are vectors over the lanes, and quantities are computed one after another. Most of the time is spent on
+//! loading and addressing. Products are therefore computed for four orders at a time, in pairs where they have a common
+//! factor, and likewise sums of common quantities.
 
 mod parts;
 mod products;
@@ -19,8 +19,8 @@ use sums::Rows;
 use symbolic::Program;
 use work::{Expand, Sum};
 
-/// L systems that differ in their parameters, states and times, one in each lane. Nothing is allocated, and no lane
-/// depends on another. `N` is a power of two above the number of quantities: no index needs a check.
+/// Taylor series of L systems, which differ in their parameters, states and times, one in each lane. Allocates nothing;
+/// lanes are independent. `N` is a power of two above the number of quantities, so that indices need no check.
 #[derive(Clone, Debug)]
 pub struct BatchExpansion<'a, const L: usize, const N: usize = 256> {
     order: usize,
@@ -29,24 +29,23 @@ pub struct BatchExpansion<'a, const L: usize, const N: usize = 256> {
     stages: Vec<Side<L>>,
     rates: Rows<L>,
     quantities: Box<[Quantity<L>; N]>,
-    /// The states' coefficients of the last order, and of the one before.
+    /// The coefficients of the states of the highest order, and of the one below.
     last: [Vec<Batch<L>>; 2],
     factors: Vec<Factor>,
     histories: Histories<L>,
     points: Program<'a, Batch<L>>,
     inputs: Vec<Batch<L>>,
     circle: Vec<Batch<L>>,
-    /// From the parameters to the coefficients.
+    /// Computes the coefficients of the sums from the parameters.
     coefficients: Program<'a, Batch<L>>,
     values: Vec<Batch<L>>,
-    /// Whether a lane has parameters that the coefficients do not contain yet.
+    /// Whether parameters have changed since the coefficients were computed.
     changed: bool,
 }
 
 impl Recurrence {
-    /// Prepares the recurrence for L systems; `None` where it has more than `N` quantities, or where the processor has no
-    /// registers for several numbers with a sum and product in one instruction. Until a lane is [set], all its coefficients
-    /// are zero.
+    /// Prepares the recurrence for L systems. `None` where it has more than `N` quantities, or the processor has no
+    /// SIMD registers with fused multiply-add. Until a lane is [set], all its coefficients are zero.
     ///
     /// [set]: BatchExpansion::set
     pub fn batch_expansion<const L: usize, const N: usize>(&self, order: usize) -> Option<BatchExpansion<'_, L, N>> {
@@ -92,30 +91,30 @@ impl Recurrence {
 }
 
 impl<const L: usize, const N: usize> BatchExpansion<'_, L, N> {
-    /// The order of the last coefficients.
+    /// The order of the series.
     pub fn order(&self) -> usize {
         self.order
     }
 
-    /// Gives the system in a lane its parameters.
+    /// Sets the parameters of the system in a lane.
     pub fn set(&mut self, lane: usize, parameters: &[f64]) {
         let inputs = &mut self.inputs[self.states + usize::from(self.time)..];
         inputs.iter_mut().zip(parameters).for_each(|(input, value)| input.0[lane] = *value);
         self.changed = true;
     }
 
-    /// Expands the solutions through these states, each at its time.
+    /// Computes the Taylor coefficients of the solutions through these states, each at its time.
     pub fn expand(&mut self, states: &[Batch<L>], time: Batch<L>) {
         in_wide(Expand { batch_expansion: self, states, time });
     }
 
-    /// The coefficients a_k of the states, for k the order or one less; others are not kept in one piece.
+    /// The Taylor coefficients a_k of the states, where k is the highest order or the one below; empty for other k.
     #[inline]
     pub fn coefficients(&self, k: usize) -> &[Batch<L>] {
         self.order.checked_sub(k).and_then(|before| self.last.get(before)).map_or(&[], |last| last)
     }
 
-    /// The sums of the series, each at its h, by Horner's scheme.
+    /// Evaluates the series, each lane at its h, by Horner's scheme.
     pub fn sum(&self, h: Batch<L>, out: &mut [Batch<L>]) {
         let (histories, order) = (&self.histories, self.order);
         let states = self.states.min(out.len());

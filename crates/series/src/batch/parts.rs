@@ -1,4 +1,4 @@
-//! The work of each order, for a batch: the plan with its coefficients beside it.
+//! The operations of each order for a batch: the plan together with its coefficients.
 
 use super::products::{Factor, Fan, paired};
 use super::sums::Rows;
@@ -7,7 +7,7 @@ use crate::linear_equations::{LaneEquations, LinearSeries};
 use crate::plan::{Product, Quotient, Slot, Stage};
 use field::Batch;
 
-/// Sums, then products, then the solved quantities.
+/// The operations of a stage: sums, then products, then the solved quantities.
 #[derive(Clone, Debug)]
 pub(super) struct Side<const L: usize> {
     pub sums: Rows<L>,
@@ -18,7 +18,7 @@ pub(super) struct Side<const L: usize> {
     pub linear: Option<Box<LinearSeries<Batch<L>, LaneEquations<L>>>>,
 }
 
-/// The factors so far, and the number of the factor at each place.
+/// The factors of products, numbered, by place.
 pub(super) struct Slots {
     pub of: Vec<Option<u16>>,
     pub factors: Vec<Factor>,
@@ -35,7 +35,7 @@ impl Slots {
         factor
     }
 
-    /// Products that have a factor in common.
+    /// Products with a common factor.
     fn fan<const L: usize, const M: usize>(&mut self, products: [Product; M]) -> Fan<L, M> {
         let common = |place: &Slot| products.iter().all(|product| product.a == *place || product.b == *place);
         let Product { a, b, .. } = products[0];

@@ -1,24 +1,23 @@
-//! Products, four orders at a time.
+//! Cauchy products, four orders at a time.
 //!
-//! When K orders are known, K = 4 q, their contributions to the orders K .. K+3 of a product are summed in one go: each
-//! number loaded is used four times, and eight times where two products have a factor in common. Contributions of the orders
-//! at hand are added order by order, from numbers that lie beside each other:
+//! When K = 4 q orders are known, their contributions to the orders K .. K+3 of a product are summed together: each
+//! number loaded is used four times, and eight times where two products have a common factor. The contributions of the
+//! four current orders are then added order by order:
 //!
 //!   (a b)_(K+i) = sum over 0 < j < K  +  sum_(s <= i) (a_s b_(K+i-s) + a_(K+i-s) b_s) .
 
 use crate::plan::Product;
 use field::Batch;
 
-/// Four orders in a row.
+/// Four consecutive orders.
 pub(super) type Four<const L: usize> = [Batch<L>; 4];
 
-/// The coefficients of a quantity that every order needs: its first four, and the four at hand.
+/// The coefficients of a quantity needed in every order: its first four, and the current four.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Quantity<const L: usize> {
     pub oldest: Four<L>,
     pub newest: Four<L>,
-    /// Padding, for quantities must not lie powers of two apart: a processor takes addresses with equal last digits for
-    /// equal, and waits.
+    /// Padding: quantities at distances of powers of two would cause false address conflicts in the processor.
     _apart: Batch<L>,
 }
 
@@ -29,23 +28,23 @@ impl<const L: usize> Quantity<L> {
     };
 }
 
-/// The series of all factors, one after the other.
+/// The series of all factors, one after another.
 #[derive(Clone, Debug)]
 pub(super) struct Histories<const L: usize> {
     pub fours: Vec<Four<L>>,
-    /// The number of fours of each factor.
+    /// The number of groups of four orders of each factor.
     pub each: usize,
 }
 
 impl<const L: usize> Histories<L> {
-    /// The first fours of a factor.
+    /// The first groups of four orders of a factor.
     #[inline(always)]
     pub fn of(&self, slot: u16, fours: usize) -> &[Four<L>] {
         &self.fours[usize::from(slot) * self.each..][..fours]
     }
 }
 
-/// A factor: the quantity, and the place of its series.
+/// A factor: the place of the quantity, and the number of its series.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Factor {
     pub place: u16,
@@ -58,12 +57,12 @@ pub(super) struct Fan<const L: usize, const M: usize> {
     pub places: [u16; M],
     pub one: Factor,
     pub others: [Factor; M],
-    /// The contributions of the earlier orders to those at hand.
+    /// The contributions of the earlier orders to the current ones.
     pub known: [Four<L>; M],
 }
 
 impl<const L: usize, const M: usize> Fan<L, M> {
-    /// Sums the contributions of the first orders, so many fours of them, to the next four.
+    /// Sums the contributions of the first `fours` groups of orders to the next group.
     #[inline(always)]
     pub fn begin(&mut self, histories: &Histories<L>, fours: usize) {
         let one = histories.of(self.one.slot, fours);
@@ -82,10 +81,10 @@ impl<const L: usize, const M: usize> Fan<L, M> {
         self.known = sums;
     }
 
-    /// The products of an order, the I-th of those at hand; `FIRST` where these are the first four.
+    /// The products of order I of the current group; `FIRST` for the first group.
     #[inline(always)]
     pub fn finish<const FIRST: bool, const I: usize, const N: usize>(&self, quantities: &mut [Quantity<L>; N]) {
-        // all are computed before one is written: the common factor is loaded once
+        // all are computed before any is written, so that the common factor is loaded once
         let one = &quantities[usize::from(self.one.place) % N];
         let mut values = [Batch::all(0.0); M];
         for number in 0..M {
@@ -107,8 +106,8 @@ fn ends<const L: usize>(sums: &mut Four<L>, [_, x, y, z]: Four<L>, [_, b, c, d]:
     sums[2] = sums[2].plus_product(z, d, true);
 }
 
-/// One number with four. Written out, as are the functions below: as loops these would not be unrolled, and the sums not
-/// kept in registers.
+/// Adds a number times four numbers. This function and those below are unrolled by hand: the compiler would not unroll
+/// loops, and would keep the sums in memory.
 #[inline(always)]
 fn add<const L: usize>(sums: &mut Four<L>, [a, b, c, d]: Four<L>, x: Batch<L>) {
     sums[0] = sums[0].plus_product(a, x, true);
@@ -117,7 +116,7 @@ fn add<const L: usize>(sums: &mut Four<L>, [a, b, c, d]: Four<L>, x: Batch<L>) {
     sums[3] = sums[3].plus_product(d, x, true);
 }
 
-/// Four numbers of b with the seven of a that they meet.
+/// The products of four numbers of b with the seven of a.
 #[inline(always)]
 fn middle<const L: usize>(sums: &mut Four<L>, pair: &[Four<L>], &[a, b, c, d]: &Four<L>) {
     let ([_, t, u, v], [w, x, y, z]) = (pair[0], pair[1]);
@@ -127,7 +126,7 @@ fn middle<const L: usize>(sums: &mut Four<L>, pair: &[Four<L>], &[a, b, c, d]: &
     add(sums, [t, u, v, w], d);
 }
 
-/// Adds the contributions of the orders at hand to the I-th of them, the newest last.
+/// Adds the contributions of the current group to its order I, the newest last.
 #[inline(always)]
 fn newest<const L: usize, const I: usize>(mut sum: Batch<L>, a: &Quantity<L>, b: &Quantity<L>) -> Batch<L> {
     if I == 3 {
@@ -147,7 +146,7 @@ fn both<const L: usize>(sum: Batch<L>, a: &Quantity<L>, b: &Quantity<L>, old: us
     sum.plus_product(a.oldest[old], b.newest[new], true).plus_product(a.newest[new], b.oldest[old], true)
 }
 
-/// sum_j a_j b_(I-j), the newest last.
+/// The sum of a_j b_(I-j) within the first group, the newest last.
 #[inline(always)]
 fn among<const L: usize, const I: usize>(a: &Quantity<L>, b: &Quantity<L>) -> Batch<L> {
     let (a, b) = (&a.newest, &b.newest);
@@ -162,8 +161,8 @@ fn among<const L: usize, const I: usize>(a: &Quantity<L>, b: &Quantity<L>) -> Ba
     if I >= 1 { sum.plus_product(a[I], b[0], true) } else { sum }
 }
 
-/// Two products that have a factor in common, as many as there are, and those that are left. The product that has the fewest
-/// partners chooses first.
+/// Pairs products with a common factor, as many as possible, and returns the rest. The product with the fewest partners
+/// chooses first.
 pub(super) fn paired(products: &[Product]) -> (Vec<[Product; 2]>, Vec<Product>) {
     let shares = |p: &Product, q: &Product| p.a == q.a || p.a == q.b || p.b == q.a || p.b == q.b;
     let (mut left, mut pairs, mut alone) = (products.to_vec(), Vec::new(), Vec::new());

@@ -1,4 +1,4 @@
-//! Sums of multiples of quantities: short ones, and long ones four at a time.
+//! Linear combinations of quantities: short ones, and long ones four at a time.
 
 use super::products::Quantity;
 use crate::plan::{Slot, Sums};
@@ -14,7 +14,7 @@ pub(super) struct Rows<const L: usize> {
     long_fours: Vec<Bunch<L, 4, Vec<Term<L, 4>>>>,
 }
 
-/// R sums of the same quantities.
+/// R sums of common quantities.
 #[derive(Clone, Debug)]
 struct Bunch<const L: usize, const R: usize, T> {
     /// The places of the sums.
@@ -29,15 +29,15 @@ struct Bunch<const L: usize, const R: usize, T> {
 struct Term<const L: usize, const R: usize> {
     times: [Batch<L>; R],
     place: u16,
-    /// The numbers of the coefficients.
+    /// The indices of the coefficients.
     times_of: [Option<u32>; R],
 }
 
-/// A sum in the plan.
+/// A sum of the plan.
 struct Row {
     place: Slot,
     constant: Option<u32>,
-    /// place, coefficient
+    /// The terms, as (place, index of the coefficient).
     terms: Vec<(Slot, u32)>,
 }
 
@@ -72,7 +72,7 @@ impl<const L: usize> Rows<L> {
                 rows.long_fours.push(Bunch::long([a, b, c, d]));
                 continue;
             }
-            // three are two and one
+            // three are treated as two and one
             if own.len() == 3 {
                 long.extend(own.pop());
             }
@@ -85,7 +85,7 @@ impl<const L: usize> Rows<L> {
         rows
     }
 
-    /// The coefficients, by their numbers.
+    /// Sets the coefficients.
     pub fn take(&mut self, values: &[Batch<L>]) {
         self.twos.iter_mut().for_each(|bunch| bunch.take(values));
         self.fours.iter_mut().for_each(|bunch| bunch.take(values));
@@ -94,7 +94,7 @@ impl<const L: usize> Rows<L> {
         self.long_fours.iter_mut().for_each(|bunch| bunch.take(values));
     }
 
-    /// Each sum of the order at hand, given to `put` with its place; of order zero where `FIRST`.
+    /// Computes each sum of the current order and passes it to `put` with its place; `FIRST` for order zero.
     #[inline(always)]
     pub fn sums<const FIRST: bool, const I: usize, const N: usize>(
         &self,
@@ -154,7 +154,7 @@ impl<const L: usize, const R: usize> Bunch<L, R, Vec<Term<L, R>>> {
         Bunch { places, constants: [Batch::all(0.0); R], constant_of, terms }
     }
 
-    /// Every other term in a sum of its own: none waits for the addition before.
+    /// Alternate terms are summed separately, to reduce latency.
     #[inline(always)]
     fn long_sums<const FIRST: bool, const I: usize, const N: usize>(
         &self,
@@ -194,8 +194,8 @@ fn terms<const L: usize, const R: usize>(rows: &[&Row; R]) -> Vec<Term<L, R>> {
     places.into_iter().map(term).collect()
 }
 
-/// The sums to form together with the first one, ascending: at most three, each the one that adds the fewest new quantities,
-/// as long as these are fewer than the shared ones.
+/// The indices of sums to compute together with the first one, ascending: at most three more, each the one with the
+/// fewest new quantities, as long as these are fewer than the common ones.
 fn alike(rows: &[Row]) -> Vec<usize> {
     let mut places: Vec<Slot> = rows[0].terms.iter().map(|term| term.0).collect();
     let mut chosen = vec![0];

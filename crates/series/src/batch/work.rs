@@ -1,11 +1,11 @@
-//! All orders of a series, and its sum, compiled for each set of instructions.
+//! All orders of a series, and its evaluation, compiled for each instruction set.
 
 use super::BatchExpansion;
 use super::products::{Fan, Histories, Quantity};
 use field::Batch;
 use pulp::{Simd, WithSimd};
 
-/// All orders, compiled once for each set of instructions.
+/// All orders of a series.
 pub(super) struct Expand<'a, 'b, 'c, const L: usize, const N: usize> {
     pub batch_expansion: &'a mut BatchExpansion<'b, L, N>,
     pub states: &'c [Batch<L>],
@@ -33,7 +33,7 @@ impl<const L: usize, const N: usize> Expand<'_, '_, '_, L, N> {
 }
 
 impl<const L: usize, const N: usize> BatchExpansion<'_, L, N> {
-    /// The coefficients of all systems: a late system costs no more than all at once.
+    /// Recomputes the coefficients of all systems, which costs no more than those of one.
     #[inline(always)]
     fn learn(&mut self) {
         let parameters = &self.inputs[self.states + usize::from(self.time)..];
@@ -65,19 +65,19 @@ impl<const L: usize, const N: usize> BatchExpansion<'_, L, N> {
         }
     }
 
-    /// The last orders in their places.
+    /// Copies the highest two orders of the states.
     #[inline(always)]
     fn end(&mut self) {
         let [last, before] = &mut self.last;
         for (number, (last, before)) in last.iter_mut().zip(before).enumerate() {
-            // not as a whole: numbers picked out of a copy would go through memory
+            // by element: a copy of the whole would go through memory
             let newest = &self.quantities[number % N].newest;
             (*last, *before) = (newest[self.order % 4], newest[(self.order + 3) % 4]);
             self.histories.fours[number * self.histories.each + self.order / 4] = *newest;
         }
     }
 
-    /// Sums the contributions of the first orders, so many fours of them, to the next four.
+    /// Sums the contributions of the first `fours` groups of orders to the next group.
     #[inline(always)]
     fn begin(&mut self, fours: usize) {
         for stage in &mut self.stages {
@@ -90,7 +90,7 @@ impl<const L: usize, const N: usize> BatchExpansion<'_, L, N> {
         }
     }
 
-    /// Four orders from k on, as far as there are so many.
+    /// Computes up to four orders from k on.
     #[inline(always)]
     fn four<const FIRST: bool>(&mut self, k: usize, order: usize) {
         self.next::<FIRST, 0>(k);
@@ -105,7 +105,7 @@ impl<const L: usize, const N: usize> BatchExpansion<'_, L, N> {
         }
     }
 
-    /// From order k of all quantities with a rate to the next.
+    /// Computes order k + 1 of all quantities with a rate from order k.
     #[inline(always)]
     fn next<const FIRST: bool, const I: usize>(&mut self, k: usize) {
         let quantities = &mut *self.quantities;

@@ -1,7 +1,7 @@
-//! Eight double-double numbers in two registers: their first parts and the rests.
+//! Eight double-double numbers in two registers: their high parts and their low parts.
 //!
-//! A sum of products keeps its low part unnormalised; where sums are added up the low part is brought below the last
-//! place of the first part. The neglected part is of the size of the largest term's 105th digit, in binary.
+//! A sum of products keeps its low part unnormalised; where sums are combined it is normalised. The error is of the
+//! size of the 105th binary digit of the largest term.
 
 use super::Permuting;
 use crate::pick::{Columns, OneByOne, Pick, Selection};
@@ -81,7 +81,7 @@ impl Permute<DoubleDouble> for Permuting {
     }
 }
 
-/// a b, and its rounding error.
+/// The product a b and its rounding error.
 #[inline(always)]
 fn twice(simd: pulp::x86::V4, [a, a_rest]: [__m512d; 2], [b, b_rest]: [__m512d; 2]) -> [__m512d; 2] {
     let simd = simd.avx512f;
@@ -90,7 +90,7 @@ fn twice(simd: pulp::x86::V4, [a, a_rest]: [__m512d; 2], [b, b_rest]: [__m512d; 
     [product, simd._mm512_fmadd_pd(a_rest, b, simd._mm512_fmadd_pd(a, b_rest, lost))]
 }
 
-/// a + b, and its rounding error (Knuth).
+/// The sum a + b and its rounding error (Knuth).
 #[inline(always)]
 fn two_sum(simd: pulp::x86::V4, a: __m512d, b: __m512d) -> [__m512d; 2] {
     let simd = simd.avx512f;

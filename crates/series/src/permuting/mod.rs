@@ -1,4 +1,4 @@
-//! Gathers numbers by permutations of registers of eight `f64`, if the processor has these instructions.
+//! Gathering of numbers by permutations of registers of eight `f64`, on processors with these instructions (AVX-512).
 
 mod doubled;
 
@@ -6,20 +6,20 @@ use super::pick::{Columns, Pick, Selection};
 use super::small::{Permute, Shuffle};
 use std::arch::x86_64::__m512d;
 
-/// Columns to be taken, as permutations of blocks of eight.
+/// A selection of columns, as permutations of blocks of eight.
 #[derive(Clone, Debug)]
 pub(super) struct ByBlocks {
     first: Permutation,
     more: Vec<Permutation>,
 }
 
-/// The numbers taken from two blocks of eight columns.
+/// The numbers from two blocks of eight columns.
 #[derive(Clone, Copy, Debug)]
 struct Permutation {
     blocks: [u16; 2],
-    /// The number from 0 to 15 for each place of the group.
+    /// For each place of the group a number from 0 to 15.
     of: [u64; 8],
-    /// The places that these blocks fill.
+    /// The places that these blocks fill, as a bit set.
     filled: u8,
 }
 
@@ -45,7 +45,7 @@ impl ByBlocks {
     }
 }
 
-/// Taking by permutations.
+/// The implementation by permutations.
 #[derive(Clone, Copy)]
 pub(super) struct Permuting(pub pulp::x86::V4);
 
@@ -95,7 +95,7 @@ impl Permute<f64> for Permuting {
         self.0.avx512f._mm512_permutex2var_pd(low, pulp::cast(shuffle.0), high)
     }
 
-    /// Read from memory it would wait until the eight are written.
+    /// A load from memory would have to wait for the store of the eight numbers.
     #[inline(always)]
     fn spread(self, from: __m512d, number: usize) -> __m512d {
         self.0.avx512f._mm512_permutexvar_pd(pulp::cast([number as u64; 8]), from)

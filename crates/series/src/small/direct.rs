@@ -1,8 +1,8 @@
-//! All orders of a small series by the law itself, the work of each in registers.
+//! All orders of a small series by direct evaluation of the law, with the data of each order in registers.
 //!
 //!   f(y)_k = c_k + L y_k + W m_k ,    m_k = a_0 b_k + .. + a_k b_0 for each product a b ,
 //!
-//! with c_k = 0 but for c_0 = c. Only the two ends of m_k wait for y_k.
+//! with c_k = 0 except c_0 = c. Only the two terms of m_k with a_k and b_k have to wait for y_k.
 
 use super::factors::{CHAINS, Chains, Factors, MOST_ORDER, Places, reciprocals};
 use super::law::Law;
@@ -15,7 +15,7 @@ use crate::small::permutation::Permute;
 use crate::stored::Stored;
 use std::ops::Range;
 
-/// A law, with the quantities in B groups of eight and the products in G.
+/// A law with the quantities in B groups of eight and the products in G.
 #[derive(Clone, Debug)]
 pub(super) struct Direct<S: Fused, const B: usize, const G: usize> {
     rates: WideSums<S, B, G>,
@@ -23,8 +23,8 @@ pub(super) struct Direct<S: Fused, const B: usize, const G: usize> {
     reciprocals: [S; MOST_ORDER + 1],
 }
 
-/// The numbers between two orders: y_k, the first terms of f(y)_k, the factors of order 0, and the known part of the next
-/// products. While an order is summed the factors of order 0 are known, and they are used at once.
+/// The intermediate results between two orders: y_k, the first terms of f(y)_k, the factors of order 0, and the known
+/// part of the next products.
 #[derive(Clone, Copy)]
 pub(super) struct Between<E, const B: usize, const G: usize> {
     pub newest: [E; B],
@@ -42,14 +42,14 @@ impl<S: Fused, const B: usize, const G: usize> Direct<S, B, G> {
         self.rates.set(&law.rates, value);
     }
 
-    /// Before order 0 of the rates.
+    /// The state before order 0 of the rates.
     #[inline(always)]
     pub fn begin<P: Permute<S>>(&self, pick: P, newest: [P::Eight; B]) -> Between<P::Eight, B, G> {
         let nothing = [pick.all(S::zero()); G];
         Between { newest, start: self.rates.constants(pick), oldest: [nothing; 2], ahead: [nothing; CHAINS] }
     }
 
-    /// Finds y_(k+1) for these k, into the rows of the series, with the solved quantities.
+    /// Computes y_(k+1) for these k and writes them into the rows of the series, with the solved quantities.
     #[inline(always)]
     pub fn run<P: Permute<S>, R: From<S>>(
         &mut self,
@@ -75,7 +75,7 @@ impl<S: Fused, const B: usize, const G: usize> Direct<S, B, G> {
             }
             let [a, b] = places.pick(pick, &newest);
             self.factors.keep(pick, k, &[a, b]);
-            // at order 0 both ends are one product
+            // at order 0 both terms coincide
             if k == 0 {
                 b_0 = b;
             }

@@ -1,4 +1,4 @@
-//! The factors of all products, order by order, and Cauchy's sums of them.
+//! The factors of all products, order by order, and their Cauchy sums.
 
 use super::law::Law;
 use super::round::round;
@@ -6,10 +6,10 @@ use crate::fused::Fused;
 use crate::small::permutation::{Permute, Shuffle};
 use crate::small::wide::Wide;
 
-/// The largest order that there is room for: more than any tolerance needs.
+/// The highest supported order.
 pub(crate) const MOST_ORDER: usize = 64;
 
-/// Sums that run side by side: none waits for the addition before.
+/// The number of sums computed concurrently, to hide latency.
 pub(super) const CHAINS: usize = 2;
 
 pub(super) type Chains<E, const G: usize> = [[E; G]; CHAINS];
@@ -22,7 +22,7 @@ pub(super) fn reciprocals<S: Fused>() -> [S; MOST_ORDER + 1] {
 /// The quantities that are factors of G groups of eight products.
 #[derive(Clone, Debug)]
 pub(super) struct Places<const G: usize> {
-    /// On each side: among the first sixteen quantities, then among these and the rest.
+    /// For each side: permutations of the first sixteen quantities, then of these and the rest.
     shuffles: [[[Shuffle; 2]; 2]; G],
 }
 
@@ -38,12 +38,12 @@ impl<const G: usize> Places<G> {
         Places { shuffles: std::array::from_fn(|group| [shuffles(group, 0), shuffles(group, 1)]) }
     }
 
-    /// The factors a and b of all products, from all quantities.
+    /// The factors a and b of all products, gathered from all quantities.
     #[inline(always)]
     pub fn pick<S: Fused, P: Permute<S>, const B: usize>(&self, pick: P, from: &[P::Eight; B]) -> [[P::Eight; G]; 2] {
         let mut picked = [[pick.all(S::zero()); G]; 2];
         for (side, picked) in picked.iter_mut().enumerate() {
-            // written out: as a loop it would not always be unrolled, and the factors not kept in registers
+            // unrolled by hand: the compiler would not always unroll a loop, and would keep the factors in memory
             picked[0] = self.eight(pick, [0, side], from);
             if G > 1 {
                 picked[1 % G] = self.eight(pick, [1, side], from);
@@ -68,12 +68,12 @@ impl<const G: usize> Places<G> {
     }
 }
 
-/// The factors so far.
+/// The factors of all orders so far.
 #[derive(Clone, Debug)]
 pub(super) struct Factors<S: Fused, const G: usize> {
-    /// a_j at j.
+    /// a_j at index j.
     left: [[Wide<S>; G]; MOST_ORDER + 1],
-    /// b_j at MOST_ORDER - j.
+    /// b_j at index MOST_ORDER - j.
     right: [[Wide<S>; G]; MOST_ORDER + 1],
 }
 
@@ -83,7 +83,7 @@ impl<S: Fused, const G: usize> Factors<S, G> {
         Factors { left: [zero; MOST_ORDER + 1], right: [zero; MOST_ORDER + 1] }
     }
 
-    /// Keeps a_k and b_k.
+    /// Stores a_k and b_k.
     #[inline(always)]
     pub fn keep<P: Permute<S>>(&mut self, pick: P, k: usize, [a, b]: &[[P::Eight; G]; 2]) {
         for group in 0..G {
@@ -98,10 +98,10 @@ impl<S: Fused, const G: usize> Factors<S, G> {
         [pick.load(&self.left[k][group].0), pick.load(&self.right[MOST_ORDER - k][group].0)]
     }
 
-    /// a_i b_(k-1) + a_(i+1) b_(k-2) + .. + a_(k-1) b_i, in two sums of which neither waits for the other.
+    /// The sum a_i b_(k-1) + a_(i+1) b_(k-2) + .. + a_(k-1) b_i, as two independent partial sums.
     ///
-    /// A factor that is loaded for one order serves the next one too: `ahead` contains the sum of every second order but its
-    /// two ends. Orders come one after another, from before i on.
+    /// A factor loaded for one order is used for the next one too: `ahead` has the sum of every second order except its
+    /// two end terms. Orders must be computed in sequence, starting before i.
     #[inline(always)]
     pub fn older<P: Permute<S>>(
         &self,
@@ -127,7 +127,7 @@ impl<S: Fused, const G: usize> Factors<S, G> {
         sums
     }
 
-    /// The sum of this order, and the part of the next one between its ends: a_(i+1) b_(k-1) + .. + a_(k-1) b_(i+1).
+    /// The sum of this order, and the inner part of the next one: a_(i+1) b_(k-1) + .. + a_(k-1) b_(i+1).
     #[inline(always)]
     fn two<P: Permute<S>>(&self, pick: P, i: usize, k: usize) -> [Chains<P::Eight, G>; 2] {
         let nothing = pick.all(S::zero());
@@ -156,7 +156,7 @@ impl<S: Fused, const G: usize> Factors<S, G> {
 }
 
 impl<const G: usize> Factors<f64, G> {
-    /// Takes over from a finer field after so many orders; order 0 is used by no sum.
+    /// Copies the first `orders` orders from a finer type, rounded; order 0 is used by no sum.
     #[inline(always)]
     pub fn take<S: Fused>(&mut self, finer: &Factors<S, G>, orders: usize) {
         let (left, right) = (1..orders.max(1), MOST_ORDER + 1 - orders.max(1)..MOST_ORDER);

@@ -1,4 +1,4 @@
-//! A small series from its first coefficients on: with all digits by the law itself, then by the cheapest method.
+//! The orders of a small series: those in full precision by direct evaluation, the others by the cheapest method.
 
 use super::direct::Direct;
 use super::factors::{MOST_ORDER, Places};
@@ -10,7 +10,7 @@ use super::starts::Starts;
 use crate::fused::Fused;
 use crate::small::permutation::{Permute, Permuted};
 
-/// A law, with the quantities in B groups of eight and the products in G.
+/// A law with the quantities in B groups of eight and the products in G.
 #[derive(Clone, Debug)]
 pub struct Kernel<S: Fused, const B: usize, const G: usize> {
     law: Law,
@@ -21,14 +21,15 @@ pub struct Kernel<S: Fused, const B: usize, const G: usize> {
     later: Later<B, G>,
 }
 
-/// The computation of the orders for which the digits of `f64` suffice.
+/// The method for the orders for which the digits of `f64` suffice.
 #[derive(Clone, Debug)]
 enum Later<const B: usize, const G: usize> {
-    /// Like the orders before, in `f64`.
+    /// As the previous orders; the type is `f64`.
     Same,
-    /// Evaluation of the law itself.
+    /// Direct evaluation of the law in `f64`.
     Direct(Box<Direct<f64, B, G>>),
-    /// Linearised about the point, where there are solved quantities: solving for them in each order would add latency.
+    /// Linearisation about the expansion point, for laws with solved quantities, whose solution in each order would add
+    /// latency.
     Linearised(Box<Linearised<B, G>>),
 }
 
@@ -62,11 +63,11 @@ impl<S: Fused, const B: usize, const G: usize> Kernel<S, B, G> {
     }
 }
 
-/// Expands the solution whose first coefficients stand at the head of the series.
+/// Expands the solution whose first coefficients are in the first row of the series.
 pub(super) struct Expand<'a, S: Fused, const B: usize, const G: usize> {
     pub kernel: &'a mut Kernel<S, B, G>,
     pub series: &'a mut [S],
-    /// From the order after this one on the digits of `f64` do.
+    /// Coefficients above this order need only the digits of `f64`.
     pub fine: usize,
 }
 

@@ -1,47 +1,46 @@
-//! Right-hand sides of few quantities, as sums of these and of products of two of them.
+//! Right-hand sides with few quantities, as sums of these and of products of two of them.
 
-/// A right-hand side of few quantities. Moving quantities are the states, time, circle points, and the sums of
-/// these that are factors: a sum has the rates of its parts, and no order waits for it. After them come the solved
-/// quantities.
+/// A right-hand side with few quantities. Moving quantities have a rate: the states, time, circle points, and sums of
+/// these that are factors, whose rates are sums of rates. The solved quantities follow.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Law {
     pub moving: usize,
-    /// The number of moving quantities that are sums, the last ones.
+    /// The number of moving quantities that are sums; they are the last ones.
     pub sums: usize,
     pub solved: Vec<Solved>,
     /// The factors of each product.
     pub products: Vec<[usize; 2]>,
     pub rates: Sums,
-    /// The first coefficients of the sums that move, from the other moving quantities.
+    /// The initial values of the moving sums, from the other moving quantities.
     pub starts: Sums,
     /// The number of coefficients.
     pub coefficients: usize,
 }
 
-/// Rows, each a constant, multiples of quantities, and multiples of products; coefficients by their number.
+/// Rows, each with a constant, multiples of quantities and multiples of products; coefficients by index.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Sums {
-    /// row, coefficient
+    /// The constants, as (row, coefficient).
     pub constants: Vec<(usize, u32)>,
-    /// row, quantity, coefficient
+    /// The linear terms, as (row, quantity, coefficient).
     pub linear: Vec<(usize, usize, u32)>,
-    /// row, product, coefficient
+    /// The quadratic terms, as (row, product, coefficient).
     pub quadratic: Vec<(usize, usize, u32)>,
 }
 
-/// A quantity without a rate, by quantities before it.
+/// A quantity without a rate, computed from preceding quantities.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Solved {
-    /// constant + sum c x + sum c a b; coefficients by number, quantities and products with theirs.
+    /// The sum constant + sum c x + sum c a b, as indices: (quantity, coefficient) and (product, coefficient).
     Sum { constant: Option<u32>, linear: Vec<(usize, u32)>, products: Vec<(usize, u32)> },
-    /// q of = above, or one, which is a product with its number.
+    /// The quotient q with q of = above, or 1 for `None`; q of is a product with its own index.
     Quotient { above: Option<usize>, of: usize, product: usize },
-    /// r r = of, not negative.
+    /// The nonnegative root r with r r = of.
     Root { of: usize, product: usize },
 }
 
 impl Law {
-    /// The sums among the moving quantities, the last of these.
+    /// The indices of the moving sums.
     pub fn sums(&self) -> impl Iterator<Item = usize> {
         self.moving - self.sums..self.moving
     }

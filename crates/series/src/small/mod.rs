@@ -1,7 +1,7 @@
-//! Small right-hand sides, y' = c + L y + sum_p w_p a_p b_p with few quantities. Most scenes have such a one, and an order of
-//! its series is so little work that latency is most of its cost.
+//! Small right-hand sides, y' = c + L y + sum_p w_p a_p b_p with few quantities. Most scenes have one. An order of
+//! their series needs so few operations that latency dominates its cost.
 //!
-//! The kernels need a processor that permutes eight numbers by one instruction. Without it, [stages](super::stages) take
+//! The kernels need a processor with permutations of eight numbers (AVX-512). Without it, [stages](super::stages) take
 //! half the time of these kernels.
 
 mod direct;
@@ -27,7 +27,7 @@ use field::DoubleDouble;
 use kernel::{Expand, Kernel};
 use permutation::{in_permuting, permutes};
 
-/// Groups of eight quantities, and of eight products.
+/// Kernels by the number of groups of eight quantities and of eight products.
 #[derive(Clone, Debug)]
 pub enum Small<S: Fused> {
     OneOne(Box<Kernel<S, 1, 1>>),
@@ -40,7 +40,7 @@ pub enum Small<S: Fused> {
     ThreeThree(Box<Kernel<S, 3, 3>>),
 }
 
-/// Runs an expression on the kernel of whichever size.
+/// Evaluates an expression on the kernel of any size.
 macro_rules! for_kernel {
     ($small:expr, $kernel:ident => $what:expr) => {
         match $small {
@@ -56,20 +56,20 @@ macro_rules! for_kernel {
     };
 }
 
-/// A way of expanding small right-hand sides.
+/// An implementation of small right-hand sides.
 pub(super) trait SmallSeries<S>: Clone + std::fmt::Debug {
-    /// Room for one, without its coefficients; `None` where there is no such way on this processor.
+    /// The buffers, without coefficients; `None` where it is unavailable on this processor or for this law.
     fn new(law: &Law) -> Option<Self>;
 
-    /// Takes the values of the coefficients.
+    /// Sets the coefficients.
     fn set(&mut self, values: &[S]);
 
-    /// Expands the solution whose first coefficients stand at the head of the series, which has a row of whole groups of
-    /// eight for each order. In a finer field the coefficients after the order `fine` have the digits of `f64`, or more.
+    /// Expands the solution whose first coefficients are in the first row of the series; each order has a row of whole
+    /// groups of eight. In a finer type the coefficients above the order `fine` have at least the digits of `f64`.
     fn expand(&mut self, series: &mut [S], fine: usize);
 }
 
-/// One implementation for each field: generic code would be compiled anew in every crate that expands something.
+/// One implementation for each scalar type: generic code would be compiled again in every dependent crate.
 macro_rules! small_series {
     ($field:ty) => {
         impl SmallSeries<$field> for Small<$field> {
@@ -100,7 +100,7 @@ macro_rules! small_series {
 small_series!(f64);
 small_series!(DoubleDouble);
 
-/// The small series of fields without kernels: none.
+/// The implementation for scalar types without kernels: none.
 #[derive(Clone, Debug)]
 pub enum Never {}
 

@@ -1,4 +1,4 @@
-//! Registers that hold eight numbers and are permuted by one instruction, where the processor has them.
+//! Registers of eight numbers with permutations by one instruction (AVX-512).
 
 use crate::fused::Fused;
 use crate::pick::Pick;
@@ -7,13 +7,13 @@ use {crate::fused::widest, crate::permuting::Permuting, std::marker::PhantomData
 
 /// The operations of small right-hand sides on registers of eight numbers.
 pub(crate) trait Permute<S: Fused>: Pick<S> {
-    /// Eight numbers of two groups of eight.
+    /// Eight numbers selected from two registers.
     fn shuffle(self, from: [Self::Eight; 2], shuffle: &Shuffle) -> Self::Eight;
 
-    /// One of eight, in all places.
+    /// One of eight numbers, in all places.
     fn spread(self, from: Self::Eight, number: usize) -> Self::Eight;
 
-    /// The second where the bit is set, else the first.
+    /// The number of b where the bit is set, otherwise that of a.
     fn blend(self, bits: u8, a: Self::Eight, b: Self::Eight) -> Self::Eight;
 
     fn plus(self, a: Self::Eight, b: Self::Eight) -> Self::Eight;
@@ -21,17 +21,17 @@ pub(crate) trait Permute<S: Fused>: Pick<S> {
     fn product(self, a: Self::Eight, b: Self::Eight) -> Self::Eight;
 }
 
-/// For each of eight places a number from 0 to 15 in two groups of eight; in one line of the cache.
+/// For each of eight places a number from 0 to 15 that selects from two registers; aligned to a cache line.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(crate) struct Shuffle(pub [u64; 8]);
 
-/// Work that is compiled only for processors that permute eight numbers by one instruction.
+/// Work that is compiled for processors with such permutations only.
 pub(crate) trait Permuted<S: Fused> {
     fn run<P: Permute<S> + Permute<f64>>(self, pick: P);
 }
 
-/// Whether this processor permutes eight numbers by one instruction.
+/// Whether this processor has such permutations.
 pub(crate) fn permutes() -> bool {
     #[cfg(target_arch = "x86_64")]
     return matches!(widest(), pulp::Arch::V4(_));
@@ -39,7 +39,7 @@ pub(crate) fn permutes() -> bool {
     return false;
 }
 
-/// Runs the work where the processor [permutes], and nowhere else.
+/// Runs the work if the processor [permutes]; otherwise does nothing.
 #[cfg(target_arch = "x86_64")]
 #[inline]
 pub(crate) fn in_permuting<S: Fused>(task: impl Permuted<S>)

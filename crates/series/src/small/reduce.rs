@@ -10,28 +10,28 @@ use symbolic::Sym;
 const MOST_QUANTITIES: usize = 24;
 const MOST_PRODUCTS: usize = 24;
 
-/// The coefficients of a sum by number: of its constant, of quantities, of products.
+/// The coefficients of a sum, by index: of its constant, of quantities, of products.
 type Terms = (Option<u32>, Vec<(usize, u32)>, Vec<(usize, u32)>);
 
-/// The role of an atom of the builder in the small law.
+/// The role of a quantity of the builder in the small law.
 #[derive(Clone, Copy)]
 enum Role {
     Unused,
     Moving(usize),
-    /// A solved quantity, in order of solving.
+    /// A solved quantity, in the order of solution.
     Solved(usize),
     Product(usize),
 }
 
-/// The law in the making: solved quantities get their final numbers only when all moving ones are known.
+/// The law under construction. Solved quantities get their final indices when all moving ones are known.
 struct Making<'a> {
     builder: &'a Builder<'a>,
-    /// The number of states and circle points, and of time.
+    /// The number of states, circle points, and time.
     symbols: usize,
     roles: Vec<Role>,
     /// The rates of all moving quantities.
     rows: Vec<Form>,
-    /// The sums that move; the first of them comes after the symbols.
+    /// The moving sums; the first one comes after the symbols.
     starts: Vec<&'a Form>,
     solved: Vec<Solved>,
     /// The sums among the solved quantities.
@@ -74,8 +74,8 @@ impl<'a> Making<'a> {
         }
     }
 
-    /// A sum of moving quantities: its rate is the sum of theirs. If parts decay alike, y' = l y + .., the sum does so as
-    /// one: s' = l s + .. .
+    /// Adds a moving sum: its rate is the sum of the rates of its parts. If parts decay equally, y' = l y + .., the sum
+    /// has the term l s: s' = l s + .. .
     fn moving(&mut self, form: &'a Form) -> Role {
         self.starts.push(form);
         let parts = || form.linear.iter().map(|(&part, c)| (part, c.0));
@@ -113,7 +113,7 @@ impl<'a> Making<'a> {
         }
     }
 
-    /// A quotient, with the product that it solves.
+    /// Adds a quotient, with the product that it solves.
     fn quotient(&mut self, above: Option<Atom>, below: Atom) -> Option<Role> {
         let (above, below) = (above.map(|above| self.factor(above)), self.factor(below));
         let product = self.products.len();
@@ -125,14 +125,14 @@ impl<'a> Making<'a> {
         Some(self.solve(Solved::Quotient { above, of: Self::number(below)?, product }))
     }
 
-    /// A root, with the product that it solves.
+    /// Adds a square root, with the product that it solves.
     fn root(&mut self, of: Atom) -> Option<Role> {
         let (of, own, product) = (self.factor(of), Role::Solved(self.solved.len()), self.products.len());
         self.product([own, own]);
         Some(self.solve(Solved::Root { of: Self::number(of)?, product }))
     }
 
-    /// The number of a factor; solved quantities come after all moving ones, whose number is not known yet.
+    /// The preliminary index of a factor: solved quantities come after the moving ones, whose number is not known yet.
     fn number(factor: Role) -> Option<usize> {
         match factor {
             Role::Moving(number) => Some(number),
@@ -141,7 +141,7 @@ impl<'a> Making<'a> {
         }
     }
 
-    /// The final number of a quantity.
+    /// The final index of a quantity.
     fn quantity(&self, role: Role) -> Option<usize> {
         match role {
             Role::Moving(number) => Some(number),
@@ -204,7 +204,7 @@ impl Sums {
 }
 
 impl Law {
-    /// The law with the expressions of its coefficients; `None` where there are too many quantities.
+    /// The law, with the expressions of its coefficients; `None` where there are too many quantities.
     pub fn of(builder: &Builder<'_>) -> Option<(Self, Vec<Sym>)> {
         let mut making = Making::new(builder);
         let begin = making.symbols;

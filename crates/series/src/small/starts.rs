@@ -1,5 +1,4 @@
-//! First coefficients of a series: the states, time and circle points are given, the sums that move are formed from
-//! them.
+//! First coefficients of a series: states, time and circle points are given, moving sums are computed.
 
 use super::law::Law;
 use super::wide_sums::WideSums;
@@ -7,11 +6,11 @@ use crate::fused::Fused;
 use crate::small::permutation::Permute;
 use crate::stored::Stored;
 
-/// The sums among B groups of eight quantities.
+/// The moving sums among B groups of eight quantities.
 #[derive(Clone, Debug)]
 pub(super) struct Starts<S: Fused, const B: usize> {
     sums: WideSums<S, B, 0>,
-    /// A bit for each sum.
+    /// The places of the sums, as bits.
     lanes: [u8; B],
 }
 
@@ -26,7 +25,7 @@ impl<S: Fused, const B: usize> Starts<S, B> {
         self.sums.set(&law.starts, value);
     }
 
-    /// y_0; the rows hold the given first coefficients.
+    /// y_0, from the given first coefficients in `rows`.
     #[inline(always)]
     pub fn begin<P: Permute<S>>(&mut self, pick: P, rows: &[[S; 8]]) -> [P::Eight; B] {
         let mut given = [pick.all(S::zero()); B];

@@ -1,8 +1,8 @@
 //! Sums of quantities and products, c + L y + W m, eight rows at a time.
 //!
-//! A turn takes one term of each of eight rows: each row multiplies a number of its own out of two registers, and one
-//! instruction permutes these. There are as many turns as the longest row has terms, fewer than the columns of all rows
-//! together.
+//! A turn adds one term to each of eight rows: each row selects its own factor from two registers, by one permutation
+//! for all rows. The number of turns is that of the terms in the longest row, which is smaller than the number of
+//! columns.
 
 use super::law::Sums;
 use crate::fused::Fused;
@@ -10,10 +10,10 @@ use crate::small::permutation::{Permute, Shuffle};
 use crate::small::wide::Wide;
 use crate::stored::Stored;
 
-/// Pairs of registers: two of quantities, two of products.
+/// The number of pairs of registers: two of quantities, two of products.
 const PAIRS: usize = 4;
 
-/// One term of each of eight rows: their factors, and the permutation that takes the numbers which they multiply.
+/// One term of each of eight rows: their coefficients, and the permutation that selects their factors.
 #[derive(Clone, Debug)]
 struct Turn<S: Fused> {
     weights: Wide<S>,
@@ -24,12 +24,13 @@ struct Turn<S: Fused> {
 #[derive(Clone, Debug)]
 pub(super) struct WideSums<S: Fused, const B: usize, const G: usize> {
     constants: [Wide<S>; B],
-    /// The coefficients of the diagonal: all decays are one product.
+    /// The diagonal coefficients: all linear decays are one product.
     own: [Wide<S>; B],
     turns: [[Vec<Turn<S>>; PAIRS]; B],
 }
 
-/// A term off the diagonal: of a row, which of its terms of a pair, the place in the pair, the coefficient's number.
+/// A term off the diagonal: its row, its turn within a pair of registers, the place in the pair, and the index of the
+/// coefficient.
 struct Term {
     row: usize,
     pair: usize,
@@ -39,20 +40,20 @@ struct Term {
 }
 
 impl<S: Fused, const B: usize, const G: usize> WideSums<S, B, G> {
-    /// Room for the coefficients.
+    /// Buffers for the coefficients.
     pub fn new(sums: &Sums) -> Self {
         const { assert!(B <= 3 && G <= 3, "one pair of quantities and one more, and so of products") };
         let mut turns: [[Vec<Turn<S>>; PAIRS]; B] = std::array::from_fn(|_| std::array::from_fn(|_| Vec::new()));
         for Term { row, pair, turn, place, .. } in terms(sums) {
             let turns = &mut turns[row / 8][pair];
-            // rows with fewer terms take zero times the first place
+            // rows with fewer terms add zero times the first place
             turns.resize(turns.len().max(turn + 1), Turn { weights: Wide::zero(), of: Shuffle([0; 8]) });
             turns[turn].of.0[row % 8] = place as u64;
         }
         WideSums { constants: [Wide::zero(); B], own: [Wide::zero(); B], turns }
     }
 
-    /// Takes the values of the coefficients.
+    /// Sets the coefficients.
     pub fn set(&mut self, sums: &Sums, value: impl Fn(u32) -> S) {
         for &(row, number) in &sums.constants {
             self.constants[row / 8].0.set(row % 8, value(number));
@@ -65,7 +66,7 @@ impl<S: Fused, const B: usize, const G: usize> WideSums<S, B, G> {
         }
     }
 
-    /// c, of order 0 alone.
+    /// The constants c, which enter order 0 only.
     #[inline(always)]
     pub fn constants<P: Permute<S>>(&self, pick: P) -> [P::Eight; B] {
         let mut constants = [pick.all(S::zero()); B];
@@ -75,7 +76,7 @@ impl<S: Fused, const B: usize, const G: usize> WideSums<S, B, G> {
         constants
     }
 
-    /// start + L y + W m
+    /// start + L y + W m.
     #[inline(always)]
     pub fn of<P: Permute<S>>(
         &self,
@@ -105,7 +106,7 @@ impl<S: Fused, const B: usize, const G: usize> WideSums<S, B, G> {
     }
 }
 
-/// Adds turns: as many sums run side by side.
+/// Adds turns to four sums in rotation, to hide latency.
 #[inline(always)]
 fn add<S: Fused, P: Permute<S>>(pick: P, sums: &mut [P::Eight; 4], turns: &[Turn<S>], from: [P::Eight; 2]) {
     let (fours, rest) = turns.as_chunks::<4>();
@@ -115,7 +116,7 @@ fn add<S: Fused, P: Permute<S>>(pick: P, sums: &mut [P::Eight; 4], turns: &[Turn
         sums[2] = with(pick, sums[2], &four[2], from);
         sums[3] = with(pick, sums[3], &four[3], from);
     }
-    // written out: as a loop it would not be unrolled, and the sums not kept in registers
+    // unrolled by hand: the compiler would not unroll a loop, and would keep the sums in memory
     if let Some(turn) = rest.first() {
         sums[2] = with(pick, sums[2], turn, from);
     }

@@ -1,7 +1,7 @@
 use super::super::{Factors, Magnitude, NotSolved, Pattern};
 use field::{DoubleDouble, Rational, Scalar};
 
-/// Three masses, two constraints between them.
+/// The entries of a mass matrix of three masses with two constraints.
 const PLACES: [(usize, usize); 11] =
     [(0, 0), (0, 1), (1, 0), (1, 1), (2, 2), (0, 3), (3, 0), (1, 4), (4, 1), (2, 4), (4, 2)];
 const ENTRIES: [i64; 11] = [4, 1, 1, 3, 5, 2, 2, 1, 1, -1, -1];
@@ -10,7 +10,7 @@ fn entries<S: Scalar>() -> Vec<S> {
     ENTRIES.iter().map(|&entry| S::int(entry)).collect()
 }
 
-/// A z - b.
+/// The residual A z - b.
 fn residual<S: Scalar>(z: &[S], right: &[S]) -> Vec<S> {
     let mut residual: Vec<S> = right.iter().map(|&b| -b).collect();
     for (&(row, column), entry) in PLACES.iter().zip(entries::<S>()) {
@@ -45,7 +45,7 @@ fn unknowns_satisfy_their_equations_in_every_field() {
 
 #[test]
 fn a_constraint_that_another_implies_has_no_multiplier() {
-    // both constraints hold the first unknown
+    // both constraints depend on the first unknown
     let pattern = Pattern::new(3, 1, vec![(0, 0), (0, 1), (1, 0), (0, 2), (2, 0)]);
     let mut factors = Factors::new(&pattern);
     let z = solved(&mut factors, &[2.0, 1.0, 1.0, 3.0, 3.0], &[0.0, 5.0, 15.0]).unwrap();
@@ -65,7 +65,7 @@ fn an_unknown_that_nothing_determines_is_named() {
 
 #[test]
 fn small_pivots_of_the_order_are_passed_over() {
-    // in order the first pivot would be 1e-9, and half of the digits would be lost
+    // the first pivot of the pattern's order is 1e-9, which would lose half of the digits
     let pattern = Pattern::new(2, 2, vec![(0, 0), (0, 1), (1, 0), (1, 1)]);
     let z = solved(&mut Factors::new(&pattern), &[1e-9, 1.0, 1.0, 1.0], &[1.0, 2.0]).unwrap();
     let exact = 1.0 / (1.0 - 1e-9);

@@ -1,27 +1,27 @@
-//! Exponentials, angles and roots of Taylor models.
+//! Exponentials, cosines, sines and square roots of Taylor models.
 
 use super::{Model, Rounded, up};
 use crate::real::Ordered;
 
-/// The largest argument of which series are taken.
+/// The largest argument for which Taylor series are used directly.
 pub(super) const SMALL: f64 = 0.25;
-/// Below -MOST the exponential is at most GONE; exponents beyond are refused from somewhat more on: no range lies across both.
+/// Below -MOST the exponential is at most GONE. Larger magnitudes are rejected: no range may extend across this limit.
 const MOST: f64 = 600.0;
 const GONE: f64 = 3e-261;
-/// The largest angle; beyond it the digits of sines are lost.
+/// The largest angle, rad; above, sines would lose their digits.
 const MOST_ANGLE: f64 = 1e5;
 
 impl<C: Rounded, const N: usize> Model<C, N> {
-    /// Divided by a number that is not zero.
+    /// The quotient by a nonzero number.
     fn shared(&self, by: f64) -> Self {
         let coefficients = self.coefficients.map(|c| c / C::lift(by));
         let rounded: f64 = coefficients.iter().map(|c| c.size()).sum();
         let open = (self.off / by).abs() + C::ROUNDING * rounded;
-        // the error includes quotients that underflow
+        // the bound includes quotients that underflow
         Model { coefficients, off: up(up(open)) + f64::MIN_POSITIVE }
     }
 
-    /// exp f; `None` where f may be beyond some hundreds, or where its range reaches from there to far below.
+    /// exp f; `None` where f may exceed some hundreds, or where its range extends from there to far below.
     pub fn exp(&self) -> Option<Self> {
         let size = self.size();
         if self.coefficients[0].near() + self.spread() < -MOST {
@@ -44,13 +44,13 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         Some(power)
     }
 
-    /// (1 - exp(-f))/f, also where f is small or vanishes.
+    /// The function (1 - exp(-f))/f, also for small or vanishing f.
     pub fn faded(&self) -> Option<Self> {
         let negative = Self::constant(0.0).minus(self);
         if self.size() > SMALL {
             return Self::constant(1.0).minus(&negative.exp()?).over(self);
         }
-        // sum (-f)^k/(k + 1)!
+        // the series sum (-f)^k/(k + 1)!
         let mut sum = Self::constant(1.0);
         for k in (2..=C::TERMS + 1).rev() {
             sum = Self::constant(1.0).plus(&negative.times(&sum).shared(k.into()));
@@ -58,11 +58,10 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         Some(sum.wider(C::LEFT))
     }
 
-    /// (exp(-a) - exp(-b))/(b - a), also where a and b are near each other; `None` where a decay longer than some hundreds goes
-    /// backwards.
+    /// The function (exp(-a) - exp(-b))/(b - a), also for close arguments; `None` where an exponential would overflow.
     pub fn between_decays(a: &Self, b: &Self) -> Option<Self> {
         let gap = b.minus(a);
-        // the slower decay, times a factor that decays beside it: neither grows, in either direction of time
+        // the slower decay times a function of the gap: neither factor grows, in either direction of time
         let [slower, gap] = if gap.coefficients[0].near() < 0.0 { [b, &a.minus(b)] } else { [a, &gap] };
         Some(Self::constant(0.0).minus(slower).exp()?.times(&gap.faded()?))
     }
@@ -84,7 +83,7 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         let (mut cos, mut sin) = (cos.wider(C::LEFT), part.times(&sine.wider(C::LEFT)));
         for _ in 0..halvings {
             let half = sin.times(&cos);
-            // 1 - 2 sin^2: no error of cos^2 + sin^2 enters
+            // 1 - 2 sin^2 halves the angle without an error of cos^2 + sin^2
             let square = sin.times(&sin);
             cos = Self::constant(1.0).minus(&square.plus(&square));
             sin = half.plus(&half);
@@ -92,13 +91,13 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         Some([cos, sin])
     }
 
-    /// The square root; `None` where f may not be positive.
+    /// The square root; `None` where f may be zero or negative.
     pub(super) fn square_root(&self) -> Option<Self> {
         let middle = self.coefficients[0];
         if !middle.size().is_finite() || middle.near() <= 0.0 {
             return None;
         }
-        // the constant's root, times that of 1 + u by the binomial series, whose coefficients shrink
+        // the root of the constant, times the binomial series of sqrt(1 + u)
         let part = Self { coefficients: Self::rest(self.coefficients), ..*self }.over(&Self::number(middle))?;
         let size = part.size();
         if size.is_nan() || size >= 1.0 {

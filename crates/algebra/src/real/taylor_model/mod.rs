@@ -1,13 +1,13 @@
-//! Taylor models: functions of one parameter, each as a polynomial and a bound of the remainder.
+//! Taylor models: functions of one parameter as polynomials with a bound of the remainder.
 //!
-//! A model of f over tau in [-1, 1] is a polynomial p and a number r with |f - p| <= r everywhere there. Operations keep this: the
-//! terms of a product beyond the degree, and rounding errors, go into r. Interval arithmetic forgets the dependence between its
-//! numbers: sums of large terms that cancel stay wide. A model forgets only r, a high power of the width, and decides wide ranges of
-//! a parameter at once.
+//! A model of f over tau in [-1, 1] is a polynomial p and a number r with |f - p| <= r throughout. Operations preserve
+//! this: terms of a product above the degree, and rounding errors, are added to r. Interval arithmetic loses the
+//! dependence between its numbers, so that sums of large cancelling terms stay wide. A model loses only r, a high power
+//! of the width, and allows wide ranges of a parameter.
 
 //!
-//! A model with one coefficient is an enclosed number, and one with a coefficient of twice the length is a number to thirty
-//! digits: along many operations rounding errors grow, and floats may not suffice.
+//! A model with one coefficient is an enclosed number; with a double-double coefficient it is a number to thirty
+//! digits, for long computations in which rounding errors of floats would grow too much.
 
 mod functions;
 mod rounded;
@@ -18,44 +18,44 @@ pub use rounded::Rounded;
 use super::{Enclosure, Ordered};
 use field::{DoubleDouble, Rational};
 
-/// p(tau), with N coefficients, and [-off, off] around it.
+/// The polynomial p(tau) with N coefficients, and the remainder [-off, off].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Model<C, const N: usize> {
     coefficients: [C; N],
     off: f64,
 }
 
-/// A function over a range of the parameter, to the eighth degree.
+/// A function over a range of the parameter, of degree eight.
 pub type TaylorModel = Model<f64, 9>;
-/// One number, to thirty digits.
+/// One enclosed number, to thirty digits.
 pub type Ball = Model<DoubleDouble, 1>;
 
-/// A sum of at most some tens of numbers that are not negative, itself rounded up.
+/// A sum of at most some tens of nonnegative numbers, rounded up.
 fn up(sum: f64) -> f64 {
     if sum == 0.0 { 0.0 } else { sum * (1.0 + 64.0 * f64::EPSILON) + f64::MIN_POSITIVE }
 }
 
 impl<C: Rounded, const N: usize> Model<C, N> {
-    /// A number that does not depend on the parameter; the float itself.
+    /// A number that does not depend on the parameter, exactly this float.
     pub fn constant(value: f64) -> Self {
         Self::number(C::lift(value))
     }
 
-    /// A number of these digits, itself.
+    /// A constant of the coefficient type, exactly.
     pub fn number(value: C) -> Self {
         let mut coefficients = [C::zero(); N];
         coefficients[0] = value;
         Model { coefficients, off: 0.0 }
     }
 
-    /// A number known to lie between two.
+    /// A constant within an enclosure.
     pub fn enclosed(value: &Enclosure) -> Self {
         let [low, high] = value.ends();
         let middle = low + 0.5 * (high - low);
         Model { off: up((high - middle).max(middle - low)), ..Self::constant(middle) }
     }
 
-    /// The parameter itself, with every number from `low` to `high` among its values.
+    /// The parameter itself, with the range from `low` to `high`.
     pub fn over_range(low: f64, high: f64) -> Self {
         let middle = low + 0.5 * (high - low);
         let (mut range, reach) = (Self::constant(middle), up((high - middle).max(middle - low)));
@@ -66,12 +66,13 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         range
     }
 
-    /// Chebyshev's points, at which a polynomial of this degree is determined by its values.
+    /// The Chebyshev nodes for interpolation by a polynomial of this degree.
     pub fn nodes() -> [f64; N] {
         std::array::from_fn(|k| (std::f64::consts::PI * (2 * k + 1) as f64 / (2 * N) as f64).cos())
     }
 
-    /// The polynomial through values at these points, by Newton's divided differences; it encloses nothing.
+    /// The interpolating polynomial through values at these nodes, by Newton's divided differences. It encloses
+    /// nothing.
     pub fn through(values: [f64; N]) -> Self {
         let (nodes, mut divided) = (Self::nodes(), values);
         for order in 1..N {
@@ -81,7 +82,7 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         }
         let mut coefficients = [0.0; N];
         for k in (0..N).rev() {
-            // times tau - node, and the next difference
+            // times tau - node, plus the next difference
             for place in (0..N).rev() {
                 let lower = if place == 0 { divided[k] } else { coefficients[place - 1] };
                 coefficients[place] = lower - nodes[k] * coefficients[place];
@@ -90,17 +91,17 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         Model { coefficients: coefficients.map(C::lift), off: 0.0 }
     }
 
-    /// The polynomial's value.
+    /// The value of the polynomial.
     pub fn at(&self, tau: f64) -> f64 {
         self.coefficients.iter().rev().fold(C::zero(), |sum, c| sum * C::lift(tau) + *c).near()
     }
 
-    /// An upper bound of the values.
+    /// An upper bound of |f|.
     pub fn size(&self) -> f64 {
         up(self.coefficients.iter().map(|c| c.size()).sum::<f64>() + self.off)
     }
 
-    /// A lower bound of |x|; zero where x may be zero, NaN where it has no bound.
+    /// A lower bound of |f|; zero where f may vanish, NaN where there is no bound.
     pub fn least(&self) -> f64 {
         let least = (self.coefficients[0].size() - self.spread()) * (1.0 - 8.0 * f64::EPSILON);
         if least < 0.0 { 0.0 } else { least }
@@ -111,7 +112,7 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         self.coefficients[0]
     }
 
-    /// The largest distance of the values from the polynomial.
+    /// The bound of the remainder.
     pub fn left(&self) -> f64 {
         self.off
     }
@@ -121,7 +122,7 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         up(self.coefficients[1..].iter().map(|c| c.size()).sum::<f64>() + self.off)
     }
 
-    /// The polynomial alone.
+    /// The model without its remainder.
     pub fn polynomial(mut self) -> Self {
         self.off = 0.0;
         self
@@ -131,7 +132,7 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         self.off == 0.0 && self.coefficients == [C::zero(); N]
     }
 
-    /// The model with a remainder that is larger by this.
+    /// The model with a remainder increased by `by`.
     pub fn wider(mut self, by: f64) -> Self {
         self.off = up(self.off + by);
         self
@@ -150,7 +151,7 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         let one = Self::constant(1.0);
         let (mut sum, mut left) = (one, size);
         for _ in 1..N {
-            // beyond is less than rounding
+            // the further terms are below rounding
             if left < C::ROUNDING * C::ROUNDING {
                 break;
             }
@@ -192,7 +193,7 @@ impl<C: Rounded, const N: usize> Ordered for Model<C, N> {
     }
 
     fn times(&self, b: &Self) -> Self {
-        // zero times a model with a finite bound is zero; a product with a model without one has none
+        // zero times a model with a finite bound is zero; otherwise an unbounded factor gives an unbounded product
         if (self.is_zero() && b.off.is_finite()) || (b.is_zero() && self.off.is_finite()) {
             return Self::constant(0.0);
         }
@@ -204,17 +205,17 @@ impl<C: Rounded, const N: usize> Ordered for Model<C, N> {
         }
         let sizes = |model: &Self| model.coefficients.iter().map(|c| c.size()).sum::<f64>();
         let [own, other] = [sizes(self), sizes(b)];
-        // beyond the degree: each coefficient with those that are too high for it
+        // terms above the degree: each coefficient with those whose product is too high
         let (mut high, mut beyond) = (0.0, 0.0);
         for (x, y) in self.coefficients[1..].iter().zip(b.coefficients[1..].iter().rev()) {
             high += y.size();
             beyond += x.size() * high;
         }
         let open = own * b.off + other * self.off + self.off * b.off;
-        // coefficient i + j is a sum of i + j + 1 <= (i + 1)(j + 1) products, each rounded with its sums
+        // coefficient i + j is a sum of i + j + 1 <= (i + 1)(j + 1) products, each rounded with its sum
         let weighed = |model: &Self| (1..).zip(&model.coefficients).map(|(k, c)| f64::from(k) * c.size()).sum::<f64>();
         let rounded = C::ROUNDING * weighed(self) * weighed(b);
-        // products that are too small for floats leave less than the smallest normal one
+        // products that underflow contribute less than the smallest normal float
         let off = up(up(open) + up(beyond) + rounded) + f64::MIN_POSITIVE;
         Model { coefficients, off }
     }
@@ -241,7 +242,7 @@ impl<C: Rounded, const N: usize> Ordered for Model<C, N> {
 mod tests {
     use super::*;
 
-    /// At points of the range, against the function in floats; the remainder is as small as claimed.
+    /// Compares a model with the function in floats at points of the range, and its remainder with `most`.
     pub(super) fn holds(model: &TaylorModel, f: impl Fn(f64) -> f64, [low, high]: [f64; 2], most: f64) {
         for k in 0..=20 {
             let tau = f64::from(k) / 10.0 - 1.0;
@@ -274,7 +275,7 @@ mod tests {
         }
     }
 
-    /// (1 + x)^2 - 1 - 2x - x^2 = 0 all over a wide range, where intervals would leave its width.
+    /// (1 + x)^2 - 1 - 2x - x^2 = 0 over a wide range, where interval arithmetic would return a wide interval.
     #[test]
     fn what_cancels_leaves_rounding_alone() {
         let one = TaylorModel::constant(1.0);
@@ -297,7 +298,7 @@ mod tests {
         );
     }
 
-    /// A third is no float, a half is one; an enclosure is held from end to end.
+    /// 1/3 is no float, 1/2 is one; an enclosure is contained from end to end.
     #[test]
     fn numbers_that_are_no_floats_are_held() {
         let one = TaylorModel::constant(1.0);

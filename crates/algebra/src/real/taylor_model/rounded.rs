@@ -1,24 +1,24 @@
-//! Coefficients of Taylor models: numbers that are rounded, with a bound of the rounding error.
+//! Coefficient types of Taylor models: rounded numbers with a bound of the rounding error.
 
 use super::functions::SMALL;
 use field::{Analytic, DoubleDouble, Over, Rational};
 
-/// A number with a known rounding error.
+/// A scalar type with a known rounding error.
 pub trait Rounded: Analytic + Over<f64> {
-    /// The relative error of one operation, rounded up.
+    /// An upper bound of the relative error of one operation.
     const ROUNDING: f64;
-    /// The number of terms of the series of exponentials and angles, an even number, and twice the next term at the
-    /// largest argument, which bounds the sum of all terms left out.
+    /// The number of terms of the series of exponentials, cosines and sines, which is even; and twice the next term at
+    /// the largest argument, a bound of the truncation error.
     const TERMS: i32;
     const LEFT: f64;
 
     /// The nearest float; infinite or NaN where the number is.
     fn near(self) -> f64;
 
-    /// The number nearest to a fraction, and whether it is the fraction itself.
+    /// The number nearest to a fraction, and whether it is exact.
     fn nearest(value: Rational) -> (Self, bool);
 
-    /// |x|, off by the rounding of a float.
+    /// The magnitude |x|, up to the rounding of a float.
     fn size(self) -> f64 {
         self.near().abs()
     }
@@ -39,10 +39,10 @@ impl Rounded for f64 {
     }
 }
 
-/// The arithmetic of Joldes, Muller, Popescu 2017: a sum is off by 3 u^2, a product by 5 u^2, u = 2^-53. A reciprocal
-/// and a root take the result of the first half, off by u, and one step of Newton's method, whose correction is rounded
-/// to u of itself: 2.3 u^2 and 2 u^2, and at most 2 u^2 more where two residues below u are added in the wrong order. A
-/// quotient is a reciprocal and a product. The bound is 256 u^2.
+/// The arithmetic of Joldes, Muller, Popescu (2017): with u = 2^-53 a sum has the relative error 3 u^2, a product 5
+/// u^2. A reciprocal and a square root take the result of the high part, with the error u, and one Newton step, whose
+/// correction is rounded to u relative to itself: 2.3 u^2 and 2 u^2, and at most 2 u^2 more where two residues below u
+/// are added in the wrong order. A quotient is a reciprocal and a product. The bound used is 256 u^2.
 impl Rounded for DoubleDouble {
     const ROUNDING: f64 = 64.0 * f64::EPSILON * f64::EPSILON;
     const TERMS: i32 = 22;
@@ -60,7 +60,7 @@ impl Rounded for DoubleDouble {
     }
 }
 
-/// 2 x^k/k! at the largest x, and a little more.
+/// 2 x^k/k! at the largest x, slightly increased.
 const fn twice_the_term(k: i32) -> f64 {
     let (mut term, mut factor) = (2.0 + 1e-12, 1);
     while factor <= k {

@@ -1,7 +1,7 @@
-//! Taylor models as a field: laws run over them as they do over numbers.
+//! Taylor models as scalars: laws are evaluated over them as over numbers.
 //!
-//! A law has no way to report that a denominator may vanish. A result that may be undefined then has no bound, nor have results
-//! computed from it, and no sign.
+//! A law cannot report that a denominator may vanish. A result that may be undefined is a model without a bound, as are
+//! all results computed from it; such a model has no sign.
 
 use super::{Model, Rounded};
 use crate::real::Ordered;
@@ -17,7 +17,7 @@ impl<C: Rounded, const N: usize> Model<C, N> {
     /// An interval that contains all values.
     fn range(&self) -> Interval {
         let middle = Interval::point(self.coefficients[0].near());
-        // the middle has more digits than a float
+        // the constant term has more digits than a float
         let spread = self.spread() + f64::EPSILON * middle.size() + f64::MIN_POSITIVE;
         middle + Interval::new(-spread, spread)
     }
@@ -102,7 +102,7 @@ impl<C: Rounded, const N: usize> Scalar for Model<C, N> {
     }
 
     fn half(self) -> Self {
-        // exact but for numbers that underflow
+        // exact, except for underflow
         let halved = Model { coefficients: self.coefficients.map(|c| C::lift(0.5) * c), off: 0.5 * self.off };
         if self.is_zero() { self } else { halved.wider(f64::MIN_POSITIVE) }
     }
@@ -132,7 +132,7 @@ impl<C: Rounded, const N: usize> Analytic for Model<C, N> {
         if self.is_zero() { self } else { self.square_root().unwrap_or_else(Self::none) }
     }
 
-    /// Exponentials as models; for the other functions the range, as wide as floats give it.
+    /// Exponentials as models; for other functions the range of values only.
     fn elementary(self, function: Elementary, other: Self) -> Self {
         if function == Elementary::Exp {
             return self.exp().unwrap_or_else(Self::none);
@@ -150,7 +150,7 @@ mod tests {
     use super::super::TaylorModel;
     use super::*;
 
-    /// The same law over floats and over models, at points of the range.
+    /// Compares a law over floats and over models, at points of the range.
     #[test]
     fn a_law_over_models_holds_its_values() {
         fn law<S: Analytic>(x: S) -> S {

@@ -1,21 +1,23 @@
-//! The uniform rotations that one more equation selects: all with a given angular momentum about the vertical; all at which
-//! the number of rotations with one angular velocity changes.
+//! Uniform rotations selected by one more equation: those with a given angular momentum about the vertical, and the
+//! folds, where the number of rotations with one angular velocity changes.
 //!
-//! With s = 1/w and lambda = w^2 x, v = -(s N_h + s^2 N_G) / q where (M - x) N = q h and q G (`spectrum`), and
+//! With s = 1/w and lambda = w^2 x the direction is v = -(s N_h + s^2 N_G) / q, where (M - x) N = q h and q G
+//! (`spectrum`), and
 //!
 //!   |v| = 1 :             s^2 N_h.N_h + 2 s^3 N_h.N_G + s^4 N_G.N_G = q^2 ,
 //!   p = w v.M v + h.v :   x q - p s q + s^3 G.N_h + s^4 G.N_G = 0 .
 //!
-//! Two rotations merge where at fixed s the derivative of |v|^2 by x vanishes: the coefficients of s^0, s, s^2 in
-//! (d/dx - 2 q'/q) (N_h.N_h + 2 s N_h.N_G + s^2 N_G.N_G) q in the place of the second.
+//! Two rotations merge where the derivative of |v|^2 by x at fixed s vanishes. For the folds the second equation is
+//! therefore replaced by (d/dx - 2 q'/q) (N_h.N_h + 2 s N_h.N_G + s^2 N_G.N_G) q = 0.
 //!
 //! # Overview
-//! * `equations`: both equations, as polynomials in s whose coefficients are polynomials in x;
-//! * `regular`: away from the eigenvalues of M: the resultant of both in s, a polynomial in x, and their common divisor;
-//! * `unseen`: at eigenvalues whose eigenvectors are orthogonal to h and to G;
-//! * `seen`: at the other eigenvalues, for the one s with the eigenvector orthogonal to s h + s^2 G;
-//! * `rests`: w = 0;
-//! * [`Turning`]: one of the rotations, enclosed.
+//! * `equations`: both equations, as polynomials in s with polynomials in x as coefficients;
+//! * `regular`: solutions away from the eigenvalues of M: the resultant of both equations in s, a polynomial in x, and
+//!   their common divisor;
+//! * `unseen`: solutions at eigenvalues whose eigenvectors are orthogonal to h and G;
+//! * `seen`: solutions at the other eigenvalues, for the one s with the eigenvector orthogonal to s h + s^2 G;
+//! * `rests`: solutions with w = 0;
+//! * [`Turning`]: one rotation, enclosed.
 
 mod equations;
 mod regular;
@@ -34,41 +36,40 @@ use equations::{balance, length, trimmed};
 use field::Rational;
 use std::sync::Arc;
 
-/// All (v, w) that satisfy the equation.
+/// All solutions (v, w).
 pub struct Selected {
-    /// Isolated motions in ascending order of x, families, rests.
+    /// Isolated motions in ascending order of x, then families, then those with w = 0.
     pub motions: Vec<Turning>,
-    /// The degree of the resultant without the factors that stand for no motion, and the number of its different real
-    /// roots.
+    /// The degree of the resultant without factors that belong to no motion, and the number of its distinct real roots.
     pub degree: usize,
     pub roots: usize,
-    /// The reason why further motions may exist, if there is one: then "all" is not proved.
+    /// The reason why further motions may exist; `None` where completeness is proved.
     pub undecided: Option<Undecided>,
 }
 
-/// Why completeness is not proved.
+/// The reason why completeness is not proved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Undecided {
-    /// The resultant vanishes identically: motions form a curve.
+    /// The resultant vanishes identically: there is a curve of motions.
     Curve,
-    /// More bits than are tried would be needed.
+    /// The precision needed exceeds the largest one tried.
     TooFine,
 }
 
-/// The place of a motion.
+/// The algebraic data of a motion.
 #[derive(Clone)]
 enum RotationPlace {
-    /// x, and s as a fraction there.
+    /// The root x; s is a fraction there.
     Regular(Root),
-    /// x and s, where several s go with one x.
+    /// s and x, where several s belong to one x.
     Shared(Nested, Root),
-    /// s, at an eigenvalue whose eigenvector is orthogonal to h and to G.
+    /// The root s at an eigenvalue whose eigenvector is orthogonal to h and G.
     Unseen { eigenvalue: usize, s: Nested },
-    /// At an eigenvalue whose eigenvector is orthogonal to s h + s^2 G for one s.
+    /// A solution at an eigenvalue whose eigenvector is orthogonal to s h + s^2 G for one s.
     Seen(Arc<seen::Special>),
-    /// w = 0, v along a vector or against it.
+    /// w = 0, with v parallel or antiparallel to a vector.
     Rest { along: bool, vector: Vector<Number> },
-    /// w = 0 without weight: all v with h.v = p, as p (|h|^2 times the number, and |h|^2) and h.
+    /// w = 0 without weight: all v with h.v = p. The numbers are |h|^2 p and |h|^2.
     Circle { axis: Vector<Number>, momentum: Number, denominator: Number },
     /// w = 0 without weight and wheels: every v.
     Everywhere,
@@ -77,18 +78,18 @@ enum RotationPlace {
 struct Case {
     spectrum: Spectrum,
     body: Body,
-    /// s = -ratio[0] / ratio[1]
+    /// The polynomials of s = -ratio[0] / ratio[1].
     ratio: Vec<Polynomial>,
 }
 
-/// p = numerator / denominator in the measure of the body's numbers.
+/// The momentum p = numerator / denominator, in units of the body's integers.
 struct Momentum {
     numerator: Number,
     denominator: Number,
 }
 
 impl Body {
-    /// All uniform rotations with the angular momentum p about the vertical, N m s. `None` where that is undefined.
+    /// All uniform rotations with the angular momentum p about the vertical, N m s. `None` where p is undefined.
     pub fn at_momentum(&self, p: Rational) -> Option<Selected> {
         let (numerator, denominator) = Number::over_common(&[p])?;
         let momentum = Momentum { numerator: numerator.first()? * &self.scale, denominator };
@@ -102,7 +103,7 @@ impl Body {
         Some(all)
     }
 
-    /// The folds: between two neighbours of these angular velocities, and zero, the number of rotations is constant.
+    /// The folds: between adjacent angular velocities of folds, and zero, the number of rotations is constant.
     pub fn folds(&self) -> Selected {
         let spectrum = Spectrum::of(&self.tensor, &[self.spin.clone(), self.weight.clone()]);
         let length = length(&spectrum);
@@ -111,7 +112,7 @@ impl Body {
         let fold = |p: &Polynomial| &(&p.derivative() * &spectrum.seen) - &scaled(&(p * &slope), &two);
         let folds = trimmed(length.iter().skip(2).map(fold).collect());
         let (mut all, case) = Selected::of(self, spectrum, &length, &folds);
-        // a pair on both sides of an eigenvector that is always orthogonal to b begins where |v| = 1 without it
+        // a symmetric pair about an eigenvector orthogonal to b for all s begins where |v| = 1 without it
         for &eigenvalue in &case.spectrum.unseen {
             let begins = Nested::roots(&case.spectrum.eigenvalues[eigenvalue].0, &length);
             all.motions.extend(begins.into_iter().map(|s| Turning {

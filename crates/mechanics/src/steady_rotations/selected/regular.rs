@@ -1,4 +1,4 @@
-//! The common solutions of both equations away from the eigenvalues.
+//! Common solutions of both equations away from the eigenvalues of M.
 
 use super::{Case, RotationPlace, Selected, Turning, Undecided};
 use crate::steady_rotations::spectrum::Spectrum;
@@ -6,11 +6,11 @@ use crate::steady_rotations::{Body, Kind, Shape};
 use algebra::real::{Nested, Polynomial, Root, subresultant};
 use std::sync::Arc;
 
-/// Bits to which a root is refined once for all its uses.
+/// The precision of a root, in bits.
 const BITS: usize = 160;
 
 impl Selected {
-    /// The regular motions, and the data that the other motions need.
+    /// The regular motions, and the data for the other motions.
     pub(super) fn of(
         body: &Body,
         spectrum: Spectrum,
@@ -21,7 +21,7 @@ impl Selected {
         let resultant = subresultant(length, second, 0).pop().unwrap_or_default();
         let case = Arc::new(Case { spectrum, body: body.clone(), ratio });
         let mut all = Selected { motions: Vec::new(), degree: 0, roots: 0, undecided: None };
-        // without h and G no motion lies away from the eigenvalues
+        // without h and G no motion exists away from the eigenvalues
         match (length.len() > 1, resultant.is_zero()) {
             (true, true) => all.undecided = Some(Undecided::Curve),
             (true, false) => all.regular(&case, resultant, length, second),
@@ -31,7 +31,7 @@ impl Selected {
     }
 
     fn regular(&mut self, case: &Arc<Case>, resultant: Polynomial, length: &[Polynomial], second: &[Polynomial]) {
-        // at the eigenvalues both equations hold without being a motion
+        // both equations hold at the eigenvalues without being a motion
         let mut rest = resultant.primitive();
         loop {
             let shared = case.spectrum.seen.gcd(&rest);
@@ -51,8 +51,9 @@ impl Selected {
         }
     }
 
-    /// Several s with one x: the common divisor is the first subresultant whose leading coefficient does not vanish
-    /// there. The leading coefficient of |v| = 1 never vanishes: only the second equation may vanish identically.
+    /// The solutions with several s for one x: the common divisor is the first subresultant whose leading coefficient
+    /// does not vanish at x. The leading coefficient of |v| = 1 never vanishes, that of the second equation may vanish
+    /// identically.
     fn shared(&mut self, case: &Arc<Case>, x: Root, length: &[Polynomial], second: &[Polynomial]) {
         let leads = |p: &[Polynomial]| p.last().is_some_and(|lead| x.sign_of(lead) != 0);
         let divisor = (2..second.len() - 1).map(|k| subresultant(length, second, k)).find(|divisor| leads(divisor));

@@ -1,4 +1,4 @@
-//! w = 0: p = h.v with v along the weight or against it; without weight with any v.
+//! Solutions with w = 0: p = h.v with v parallel or antiparallel to the weight, or any v if there is no weight.
 
 use super::{Case, Momentum, RotationPlace, Selected, Turning};
 use crate::steady_rotations::spectrum::Vector;
@@ -17,7 +17,7 @@ impl Selected {
             self.motions
                 .extend(weightless(case, momentum).into_iter().map(|(s, place)| rest(s, Kind::Degenerate, place)));
         } else if (&(&(p * p) * &squared) - &(&shared * &shared)).is_zero() {
-            // p G^2 = h.G |G| or its opposite
+            // p G^2 = h.G |G| or its negative
             let same = p.sign() * shared.sign() >= 0;
             let sides = if p.is_zero() { vec![true, false] } else { vec![same] };
             let of_side = |along: bool| {
@@ -29,7 +29,7 @@ impl Selected {
     }
 }
 
-/// Every v with h.v = p: a circle about h where |p| < |h|, its pole where both are equal.
+/// All v with h.v = p: a circle about h if |p| < |h|, a point if both are equal.
 fn weightless(case: &Arc<Case>, Momentum { numerator: p, denominator: d }: &Momentum) -> Vec<(Shape, RotationPlace)> {
     let axis = case.body.spin.clone();
     let most = inner(&axis, &axis);

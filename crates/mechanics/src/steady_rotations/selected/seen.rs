@@ -1,14 +1,14 @@
-//! Steady rotations (M - k) v = -b, b = s h + s^2 G, at eigenvalues k of M whose eigenvector u is not orthogonal to h or to G. With a
-//! speed s that is not zero, b is orthogonal to u for s = -h.u/G.u alone, and then v = a + z, where (M - k) a = -b with a across the
-//! eigenspace and z in it.
+//! Uniform rotations (M - k) v = -b, b = s h + s^2 G, at eigenvalues k of M whose eigenvector u is not orthogonal to
+//! both h and G. For s not zero, b is orthogonal to u only for s = -h.u/G.u. Then v = a + z, where (M - k) a = -b with
+//! a orthogonal to the eigenspace and z in the eigenspace.
 //!
-//! With P a multiple of the projection onto the eigenspace (adj(M - k), M - tr M + 2 k, 1 for a simple, double, threefold k)
-//! and u = P G, g = G.u, c = h.u, the momentum gives the part of z along u, and |v| = 1 the rest:
+//! With P a multiple of the projection onto the eigenspace (adj(M - k), M - tr M + 2 k, or 1 for a simple, double or
+//! triple k) and u = P G, g = G.u, c = h.u, the momentum gives the component of z along u, and |v| = 1 the rest:
 //!
 //!   s = -c/g ,   G.z = (k - p s)/s^2 - G.a ,   |z|^2 = 1 - |a|^2 .
 //!
-//! All of it is polynomials in x at x = k: the sign of |z|^2 is exact, and decides between one motion, two, a circle
-//! and none.
+//! All quantities are polynomials in x at x = k. The sign of |z|^2 is therefore exact, and decides between one motion,
+//! two, a circle and none.
 
 use super::{Case, Momentum, RotationPlace, Selected, Turning};
 use crate::steady_rotations::spectrum::{Matrix, Vector, adjugate, along, dot, scaled, sum};
@@ -16,18 +16,19 @@ use crate::steady_rotations::{Kind, Shape};
 use algebra::real::{Enclosure, Number, Polynomial, Root};
 use std::sync::Arc;
 
-/// Such a place: v = (centre + side sqrt(-excess) (n x u) / |u|) / below, n a unit vector across the eigenspace.
+/// A solution v = (centre + side sqrt(-excess) (n x u) / |u|) / below, where n is a unit vector orthogonal to the
+/// eigenspace.
 #[derive(Clone)]
 pub(super) struct Special {
     eigenvalue: usize,
-    /// Polynomials c, of the spin, and g, of the weight, along u; the angular velocity is -g/c.
+    /// The polynomials c (of the spin) and g (of the weight) along u; the angular velocity is -g/c.
     speed: [Polynomial; 2],
     along: Vector<Polynomial>,
     centre: Vector<Polynomial>,
     below: Polynomial,
-    /// |z.u/|u||^2 - |z|^2, times a square.
+    /// The quantity |z.u/|u||^2 - |z|^2, times a square.
     excess: Polynomial,
-    /// The side of the plane of n and u; 0 in it.
+    /// The side of the plane of n and u: 1, -1, or 0 in the plane.
     side: i64,
 }
 
@@ -57,7 +58,7 @@ impl Selected {
 }
 
 impl Special {
-    /// `None` where no s gives a motion.
+    /// The solution at an eigenvalue; `None` where no s gives a motion.
     fn of(case: &Case, place: usize, momentum: &Momentum) -> Option<Self> {
         let (spectrum, body) = (&case.spectrum, &case.body);
         let (eigenvalue, multiplicity) = &spectrum.eigenvalues[place];
@@ -86,11 +87,11 @@ impl Special {
         if eigenvalue.sign_of(&c) == 0 || eigenvalue.sign_of(&g) == 0 {
             return None;
         }
-        // in a larger eigenspace h and G may point in different directions
+        // in an eigenspace of higher dimension the projections of h and G may differ in direction
         if (0..3).any(|i| eigenvalue.sign_of(&(&(&c * &u[i]) - &(&g * &of_spin[i]))) != 0) {
             return None;
         }
-        // times g^2: b
+        // g^2 b
         let (of_h, of_g) = (-&(&c * &g), &c * &c);
         let b: Vector<Polynomial> =
             std::array::from_fn(|i| &scaled(&of_h, &body.spin[i]) + &scaled(&of_g, &body.weight[i]));
@@ -98,11 +99,11 @@ impl Special {
             std::array::from_fn(|i| std::array::from_fn(|j| &shifted[i][j] + &projection[i][j]));
         let inverse = adjugate(&regular);
         let determinant = sum((0..3).map(|j| &regular[0][j] * &inverse[j][0]));
-        // times g^2 det: a
+        // g^2 det a
         let across: Vector<Polynomial> = std::array::from_fn(|i| -&dot(&inverse[i], &b));
         let (g2, c2) = (&g * &g, &c * &c);
         let g4 = &g2 * &g2;
-        // times p's denominator, g^4 det: k - p s - s^2 G.a
+        // (denominator of p) g^4 det (k - p s - s^2 G.a)
         let kept = scaled(&(&(&g4 * &determinant) * &x), &momentum.denominator);
         let carried = scaled(&(&(&(&g2 * &g) * &determinant) * &c), &momentum.numerator);
         let lifted = scaled(&(&c2 * &along(&across, &body.weight)), &momentum.denominator);
@@ -116,14 +117,14 @@ impl Special {
         Some(Special { eigenvalue: place, speed: [c, g], along: u, centre, below, excess, side: 0 })
     }
 
-    /// The kind of an isolated motion: M - k has the signs of the other eigenvalues on the tangent plane, unless this
-    /// holds u.
+    /// The kind of an isolated motion: on the tangent plane M - k has the signs of the other eigenvalues, unless the
+    /// plane contains u.
     fn kind(&self, eigenvalue: &Root, below: usize) -> Kind {
-        // z = 0 where v is orthogonal to u
+        // z = 0 if v is orthogonal to u
         if eigenvalue.sign_of(&dot(&self.centre, &self.along)) == 0 { Kind::Degenerate } else { Kind::of(below) }
     }
 
-    /// (v, w); of a circle its centre.
+    /// (v, w), with the centre of a circle as v.
     pub(super) fn at(&self, case: &Case, bits: usize) -> Option<(Vector<Enclosure>, Enclosure)> {
         let at = case.spectrum.eigenvalues[self.eigenvalue].0.enclosure(bits);
         let value = |p: &Polynomial| p.enclosure(&at, bits);

@@ -6,7 +6,7 @@ use crate::steady_rotations::{Kind, Shape};
 use algebra::real::{Enclosure, Number};
 use std::sync::Arc;
 
-/// A rotation, or a connected family.
+/// A rotation, or a connected family of rotations.
 #[derive(Clone)]
 pub struct Turning {
     pub shape: Shape,
@@ -15,11 +15,11 @@ pub struct Turning {
     pub(super) case: Arc<Case>,
 }
 
-/// Bits of working precision that are tried.
+/// The working precisions tried in turn, in bits.
 const BITS: [usize; 7] = [160, 320, 640, 1280, 2560, 5120, 8192];
 
 impl Turning {
-    /// As for a given w, by the signature of M - x on the tangent plane.
+    /// The kind, from the signature of M - x on the tangent plane.
     pub(super) fn kind_by_signature(&self) -> Option<Kind> {
         let (RotationPlace::Regular(x) | RotationPlace::Shared(_, x)) = &self.place else { return None };
         let [below, above] = self.case.spectrum.around(x)?;
@@ -34,12 +34,13 @@ impl Turning {
             }
             sum.sign()
         })?;
-        // the determinant has the sign of the eigenvalues below
+        // the sign of the determinant follows from the number of eigenvalues below
         let determinant = if (3 - above) % 2 == 0 { 1 } else { -1 };
         Some(Kind::of(below - usize::from(slope * determinant < 0)))
     }
 
-    /// v (of a circle its centre, of the sphere zero) and w, rad/s, within 2^-bits. `None` where 8192 bits do not suffice.
+    /// The direction v (for a circle its centre, for the sphere zero) and w (rad/s), to 2^-bits. `None` where 8192 bits
+    /// do not suffice.
     pub fn direction_and_speed(&self, bits: usize) -> Option<(Vector<Enclosure>, Enclosure)> {
         let close = |(v, w): &(Vector<Enclosure>, Enclosure)| v.iter().chain([w]).all(|x| x.is_within(bits));
         BITS.into_iter().filter(|work| *work > bits).filter_map(|work| self.at(work)).find(close)

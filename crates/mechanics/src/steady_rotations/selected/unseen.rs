@@ -1,5 +1,5 @@
-//! Eigenvalues whose eigenvectors are orthogonal to h and to G: v = -N/q + z with z in the eigenspace, wherever |z|^2 >
-//! 0 is left.
+//! Solutions at eigenvalues whose eigenvectors are orthogonal to h and G: v = -N/q + z with z in the eigenspace,
+//! wherever |z|^2 > 0.
 
 use super::{Case, RotationPlace, Selected, Turning};
 use crate::steady_rotations::{Kind, Shape};
@@ -10,7 +10,7 @@ impl Selected {
     pub(super) fn unseen(&mut self, case: &Arc<Case>, length: &[Polynomial], balance: &[Polynomial]) {
         for &place in &case.spectrum.unseen {
             let (eigenvalue, multiplicity) = &case.spectrum.eigenvalues[place];
-            // s = 0 is no motion; a motion with |z| = 0 is found away from the eigenvalues
+            // s = 0 is no motion; solutions with |z| = 0 are among the regular ones
             let s_itself = [Polynomial::default(), Polynomial::from_integers([1])];
             let inside = |s: &Nested| s.sign_of(&s_itself) != 0 && s.sign_of(length) < 0;
             let [below, _] = case.spectrum.beside(place);

@@ -1,4 +1,4 @@
-//! Elimination of the solved quantities from the derivatives of the rates: their rows are substituted.
+//! Elimination of the solved quantities from the derivatives of the rates, by substitution of their rows.
 
 use super::matrix::Matrix;
 use crate::fused::Fused;
@@ -7,7 +7,7 @@ use crate::small::permutation::Permute;
 use crate::small::solving::{Row, Set};
 use crate::small::wide::Wide;
 
-/// The columns that an elimination changes.
+/// The columns that change in the elimination.
 #[derive(Clone, Debug)]
 pub(super) struct Elimination {
     /// The number of columns of moving quantities.
@@ -16,7 +16,7 @@ pub(super) struct Elimination {
     products: Vec<Put>,
 }
 
-/// A column, and the numbers of the solved quantities substituted into it.
+/// A column, and the indices of the solved quantities that are substituted into it.
 #[derive(Clone, Debug)]
 struct Put {
     column: usize,
@@ -24,7 +24,7 @@ struct Put {
 }
 
 impl Elimination {
-    /// An elimination from the quantities and products that each solved quantity depends on.
+    /// The elimination, from the sets of quantities and products that each solved quantity depends on.
     pub fn new(law: &Law, by: &[(Set, Set)]) -> Self {
         let puts = |sets: Vec<Set>, columns: usize| {
             let put = |column: usize| {
@@ -40,7 +40,7 @@ impl Elimination {
         }
     }
 
-    /// Eliminates in J, which has the columns of the solved quantities, and in W.
+    /// Eliminates in J, including the columns of the solved quantities, and in W.
     #[inline(always)]
     pub fn run<S: Fused, P: Permute<f64>, const B: usize, const G: usize>(
         &self,
@@ -50,7 +50,7 @@ impl Elimination {
         weights: &Matrix<B, G>,
         gains: &mut Matrix<B, G>,
     ) {
-        // a solved quantity has a one in its own column and row: the rows need no further sum
+        // a solved quantity has the entry 1 in its own row and column: the rows need no further sum
         let (columns, solved) = jacobian.as_flattened_mut().split_at_mut(self.moving);
         for Put { column, solved: by } in &self.quantities {
             let times = |number: usize| rows[number].of_moving(*column).rounded();
@@ -65,7 +65,7 @@ impl Elimination {
     }
 }
 
-/// A column, and others so many times each.
+/// A column plus multiples of other columns.
 #[inline(always)]
 fn plus<'a, P: Permute<f64>, const B: usize>(
     pick: P,

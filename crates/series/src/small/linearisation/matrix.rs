@@ -1,13 +1,14 @@
-//! Matrices of few rows and columns, by registers of eight rows.
+//! Small matrices in registers of eight rows.
 
 use crate::small::permutation::Permute;
 use crate::small::solving::Set;
 use crate::small::wide::Wide;
 
-/// Columns for C groups of eight, each over B groups of rows.
+/// Columns in C groups of eight, each over B groups of rows.
 pub(super) type Matrix<const B: usize, const C: usize> = [[[Wide<f64>; B]; 8]; C];
 
-/// Columns are taken four at a time: a bit for each four that counts in a group of rows, and for each that counts at all.
+/// The nonzero columns in groups of four: a bit for each group that is nonzero in a group of rows, and for each that is
+/// nonzero at all.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fours<const B: usize> {
     pub groups: [u8; B],
@@ -24,7 +25,7 @@ impl<const B: usize> Fours<B> {
     }
 }
 
-/// sum_c matrix_c x_c over the columns that count.
+/// The product sum_c matrix_c x_c over the nonzero columns.
 #[inline(always)]
 pub(super) fn times<P: Permute<f64>, const B: usize, const C: usize>(
     pick: P,
@@ -33,7 +34,7 @@ pub(super) fn times<P: Permute<f64>, const B: usize, const C: usize>(
     fours: &Fours<B>,
 ) -> [P::Eight; B] {
     let mut sums = [[pick.all(0.0); B]; 4];
-    // written out: as loops they would not be unrolled, and the sums not kept in registers
+    // unrolled by hand: the compiler would not unroll loops, and would keep the sums in memory
     four::<P, B, C, 0>(pick, &mut sums, matrix, x, fours);
     four::<P, B, C, 1>(pick, &mut sums, matrix, x, fours);
     four::<P, B, C, 2>(pick, &mut sums, matrix, x, fours);
@@ -47,7 +48,7 @@ pub(super) fn times<P: Permute<f64>, const B: usize, const C: usize>(
     a
 }
 
-/// Adds four columns where they count.
+/// Adds four columns where they are nonzero.
 #[inline(always)]
 fn four<P: Permute<f64>, const B: usize, const C: usize, const FOUR: usize>(
     pick: P,
@@ -70,7 +71,7 @@ fn four<P: Permute<f64>, const B: usize, const C: usize, const FOUR: usize>(
     rows::<P, B, FOUR, 2>(pick, sums, four, &spread, fours);
 }
 
-/// The rows of one group.
+/// Adds the rows of one group.
 #[inline(always)]
 fn rows<P: Permute<f64>, const B: usize, const FOUR: usize, const GROUP: usize>(
     pick: P,

@@ -1,7 +1,7 @@
-//! Small laws with solved quantities, quotients and roots: these are substituted into the rates, linearised about the point,
-//! and no order waits for them.
+//! Small laws with solved quantities (quotients and square roots): these are eliminated from the linearised rates, so
+//! that no order has to wait for them.
 //!
-//! In `f64` alone. In a finer field few orders need all digits, and the derivatives would cost more than these.
+//! In `f64` only. In a finer type few orders need all digits, and the derivatives would cost more than those orders.
 
 mod eliminate;
 mod matrix;
@@ -21,16 +21,16 @@ use orders::{Orders, Shape};
 use pattern::Pattern;
 use std::ops::Range;
 
-/// A law, with the quantities in B groups of eight and the products in G.
+/// A law with the quantities in B groups of eight and the products in G.
 #[derive(Clone, Debug)]
 pub(super) struct Linearised<const B: usize, const G: usize> {
     law: Law,
     shape: Shape<B>,
-    /// The rates by the quantities, with the solved quantities by themselves.
+    /// The linear coefficients of the rates, by quantities, and those of the solved quantities.
     linear: Matrix<B, B>,
-    /// The rates by the products.
+    /// The coefficients of the rates by products.
     weights: Matrix<B, G>,
-    /// For each quantity its products with the other factor, and the begin of those of the next one.
+    /// For each quantity its products with the other factor, and the first index of those of the next one.
     partners: Vec<(u8, u8)>,
     ends: Vec<u8>,
     elimination: Elimination,
@@ -75,7 +75,7 @@ impl<const B: usize, const G: usize> Linearised<B, G> {
         self.orders.gains = self.weights;
     }
 
-    /// Finds J and W at the point of the series.
+    /// Computes J and W at the expansion point.
     #[inline(always)]
     pub fn about<S: Fused, P: Permute<f64>>(&mut self, pick: P, solving: &Solving<S, B, G>) {
         self.linearise(pick, &solving.point().map(|eight| eight.rounded()));
@@ -83,7 +83,7 @@ impl<const B: usize, const G: usize> Linearised<B, G> {
         elimination.run(pick, solving.rows(), &mut orders.jacobian, weights, &mut orders.gains);
     }
 
-    /// Finds y_(k+1) for these k > 0 from the last order before, y_k of the moving quantities, and the factors before.
+    /// Computes y_(k+1) for these k > 0, from y_k of the moving quantities and the earlier factors.
     #[inline(always)]
     pub fn run<S: Fused, P: Permute<f64>, R: From<f64>>(
         &mut self,
@@ -100,8 +100,8 @@ impl<const B: usize, const G: usize> Linearised<B, G> {
         own.run(pick, shape, places, orders, between, rows);
     }
 
-    /// The derivatives of the rates at a point by all quantities: L, and each product's weight times the one factor in the
-    /// column of the other.
+    /// The derivatives of the rates by all quantities at a point: L, plus the weight of each product times one factor,
+    /// in the column of the other.
     #[inline(always)]
     fn linearise<P: Permute<f64>>(&mut self, pick: P, point: &[[f64; 8]; B]) {
         let (weights, point) = (self.weights.as_flattened(), point.as_flattened());

@@ -1,10 +1,10 @@
-//! Orders of a small series after the first, the work of each in registers.
+//! Orders of a small series after the first, with the data of each order in registers.
 //!
 //! For k > 0
 //!
 //!   f(y)_k = J y_k + W m_k ,    m_k = a_1 b_(k-1) + .. + a_(k-1) b_1 for each product a b ,
 //!
-//! with J and W the derivatives of f at y_0 by the quantities and by the products, after the elimination of solved
+//! where J and W are the derivatives of f at y_0 by the quantities and by the products, after the elimination of solved
 //! quantities.
 
 use super::matrix::{Fours, Matrix, times};
@@ -16,12 +16,12 @@ use crate::small::permutation::Permute;
 use crate::small::wide::Wide;
 use std::ops::Range;
 
-/// The sparsity pattern of the matrices, for all numbers.
+/// The sparsity pattern of the matrices.
 #[derive(Clone, Debug)]
 pub(super) struct Shape<const B: usize> {
     jacobian: Fours<B>,
     gains: Fours<B>,
-    /// A bit for each solved quantity.
+    /// The solved quantities, as bits.
     is_solved: [u8; B],
 }
 
@@ -33,8 +33,8 @@ impl<const B: usize> Shape<B> {
     }
 }
 
-/// The numbers between two orders: f(y)_(k-1), the part of f(y)_k without y_k, y_k, and the known part of the next
-/// products.
+/// The intermediate results between two orders: f(y)_(k-1), the part of f(y)_k without y_k, y_k, and the known part of
+/// the next products.
 #[derive(Clone, Copy)]
 pub(super) struct Between<E, const B: usize, const G: usize> {
     sums: [E; B],
@@ -43,10 +43,10 @@ pub(super) struct Between<E, const B: usize, const G: usize> {
     ahead: Chains<E, G>,
 }
 
-/// The law at the point of an expansion, and the factors so far.
+/// The linearised law at the expansion point, and the factors so far.
 #[derive(Clone, Debug)]
 pub(super) struct Orders<const B: usize, const G: usize> {
-    /// J and W.
+    /// The matrices J and W.
     pub jacobian: Matrix<B, B>,
     pub gains: Matrix<B, G>,
     pub factors: Factors<f64, G>,
@@ -64,7 +64,7 @@ impl<const B: usize, const G: usize> Orders<B, G> {
         }
     }
 
-    /// The numbers before the order k > 0, from y_k of the moving quantities: the factors before are known.
+    /// The intermediate results before order k > 0, from y_k of the moving quantities.
     #[inline(always)]
     pub fn begin<P: Permute<f64>>(
         &mut self,
@@ -85,13 +85,13 @@ impl<const B: usize, const G: usize> Orders<B, G> {
         for (group, (a, b)) in a.iter_mut().zip(&mut b).enumerate() {
             [*a, *b] = self.factors.at(pick, k - 1, group);
         }
-        // the order before gives the part ahead of this one
+        // the previous order gives the part ahead of this one
         self.factors.older(pick, 2, k - 2, &mut ahead);
         let older = self.middle(pick, k - 1, [a, b], &mut ahead);
         Between { sums, rest: times(pick, &self.gains, &older, &shape.gains), newest, ahead }
     }
 
-    /// Takes a_k and b_k, and sums a_1 b_k + .. + a_k b_1.
+    /// Stores a_k and b_k, and returns a_1 b_k + .. + a_k b_1.
     #[inline(always)]
     fn middle<P: Permute<f64>>(
         &mut self,
@@ -114,7 +114,7 @@ impl<const B: usize, const G: usize> Orders<B, G> {
         sums
     }
 
-    /// Finds y_(k+1) for these k > 0, into the rows of the series.
+    /// Computes y_(k+1) for these k > 0, and writes them into the rows of the series.
     #[inline(always)]
     pub fn run<P: Permute<f64>, R: From<f64>>(
         &mut self,
@@ -126,7 +126,7 @@ impl<const B: usize, const G: usize> Orders<B, G> {
         rows: &mut [[R; 8]],
     ) {
         for k in orders {
-            // y_k = sums / k: the division need not be waited for
+            // y_k = sums / k: J is applied to the sums, so that the division causes no delay
             let known = times(pick, &self.jacobian, &sums, &shape.jacobian);
             for block in 0..B {
                 sums[block] = pick.plus_product(rest[block], known[block], pick.all(self.reciprocals[k]));

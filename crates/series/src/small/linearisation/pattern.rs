@@ -1,9 +1,9 @@
-//! The rows in which a column can have entries, whatever the numbers are.
+//! The sparsity pattern of J and W.
 
 use crate::small::law::Law;
 use crate::small::solving::{Set, members};
 
-/// The rows of the columns of J and of W.
+/// The rows with possible entries, as bits, for each column of J and of W.
 pub(super) struct Pattern {
     pub jacobian: Vec<Set>,
     pub gains: Vec<Set>,
@@ -16,7 +16,7 @@ impl Pattern {
         (law.moving..law.quantities()).for_each(|quantity| columns[quantity] |= 1 << quantity);
         let mut weights = vec![0; law.products.len()];
         law.rates.quadratic.iter().for_each(|&(row, product, _)| weights[product] |= 1 << row);
-        // a product counts in the columns of both factors, a solved quantity in those of all quantities that it depends
+        // a product contributes to the columns of both factors, a solved quantity to those of all quantities it depends
         // on
         for (factors, rows) in law.products.iter().zip(&weights) {
             factors.iter().for_each(|&factor| columns[factor] |= rows);

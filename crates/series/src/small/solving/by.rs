@@ -2,7 +2,7 @@
 
 use crate::small::law::{Law, Solved};
 
-/// A bit for each member.
+/// A set of indices, as bits.
 pub(in crate::small) type Set = u32;
 
 /// For each solved quantity the set of moving quantities, and the set of products, on which it depends.
@@ -27,7 +27,7 @@ pub(in crate::small) fn solved_by(law: &Law) -> Vec<(Set, Set)> {
     by
 }
 
-/// The numbers of the members.
+/// The indices in a set.
 pub(in crate::small) fn members(set: Set) -> impl Iterator<Item = usize> {
     (0..Set::BITS as usize).filter(move |member| set >> member & 1 == 1)
 }

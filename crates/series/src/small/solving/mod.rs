@@ -1,4 +1,5 @@
-//! Solved quantities, order by order: sums from their parts, a quotient or a root from the product that it solves.
+//! Solved quantities, order by order: sums from their parts, quotients and square roots from the products that they
+//! solve.
 
 mod by;
 mod rows;
@@ -11,7 +12,7 @@ use crate::fused::Fused;
 use crate::small::permutation::Permute;
 use crate::stored::Stored;
 
-/// The solved quantities, among B groups of eight, with G groups of products.
+/// The solved quantities, among B groups of eight quantities and G groups of products.
 #[derive(Clone, Debug)]
 pub(super) struct Solving<S: Fused, const B: usize, const G: usize> {
     law: Law,
@@ -19,7 +20,7 @@ pub(super) struct Solving<S: Fused, const B: usize, const G: usize> {
     values: Vec<S>,
     /// All quantities of order 0.
     point: [S::Stored; B],
-    /// The rows that give the later orders at the point.
+    /// The rows of the higher orders, at the expansion point.
     rows: Vec<Row<S, B, G>>,
 }
 
@@ -37,7 +38,7 @@ impl<S: Fused, const B: usize, const G: usize> Solving<S, B, G> {
         self.values = values.to_vec();
     }
 
-    /// Order 0 of all quantities.
+    /// All quantities of order 0.
     pub fn point(&self) -> &[S::Stored; B] {
         &self.point
     }
@@ -50,7 +51,7 @@ impl<S: Fused, const B: usize, const G: usize> Solving<S, B, G> {
         self.values.get(number as usize).copied().unwrap_or(S::zero())
     }
 
-    /// Order 0 of all quantities, from that of the moving ones.
+    /// All quantities of order 0, from the moving ones.
     #[inline(always)]
     pub fn first<P: Permute<S>>(&mut self, pick: P, moving: &[P::Eight; B]) -> [P::Eight; B] {
         let mut all = stored(pick, moving);
@@ -75,12 +76,12 @@ impl<S: Fused, const B: usize, const G: usize> Solving<S, B, G> {
         loaded(pick, &all)
     }
 
-    /// Order k > 0, from that of the moving quantities and m_k = a_1 b_(k-1) + .. + a_(k-1) b_1 for each product.
+    /// All quantities of order k > 0, from the moving ones and m_k = a_1 b_(k-1) + .. + a_(k-1) b_1 for each product.
     #[inline(always)]
     pub fn next<P: Permute<S>>(&self, pick: P, moving: &[P::Eight; B], middle: &[P::Eight; G]) -> [P::Eight; B] {
         let (mut all, middle) = (stored(pick, moving), stored(pick, middle));
         for (quantity, row) in (self.law.moving..).zip(&self.rows) {
-            // the products are known before
+            // the products are known earlier
             let known = row.products().fold(S::zero(), |sum, (product, times)| sum + times * lane(&middle, product));
             let value = row.moving().fold(known, |sum, (quantity, times)| sum + times * lane(&all, quantity));
             all[quantity / 8 % B].set(quantity % 8, value);

@@ -1,22 +1,23 @@
-//! Rows for the solved quantities in each order, by the moving quantities and by the known parts of the products.
+//! Linear rows for the solved quantities in each order, by the moving quantities and by the known parts of products.
 //!
-//! A product has (a b)_k = a_0 b_k + b_0 a_k + m_k, m = a_1 b_(k-1) + .. + a_(k-1) b_1. For k > 0 every quantity is
+//! A product has (a b)_k = a_0 b_k + b_0 a_k + m_k with m_k = a_1 b_(k-1) + .. + a_(k-1) b_1. For k > 0 every solved
+//! quantity is
 //!
 //!   x_k = A y_k + C m_k
 //!
-//! with rows A and C that the order 0 gives: a quotient has q_k = (a_k - q_0 b_k - m_k) / b_0, a root
+//! with rows A and C that depend on order 0 only: for a quotient q_k = (a_k - q_0 b_k - m_k) / b_0, for a square root
 //! r_k = (a_k - m_k) / 2 r_0.
 
 use super::{Set, Solving, lane, members};
 use crate::fused::Fused;
 use crate::small::law::Solved;
 
-/// The rows A and C of a solved quantity. Numbers one by one: few of them are not zero.
+/// The rows A and C of a solved quantity. They are stored as single numbers, since few are nonzero.
 #[derive(Clone, Debug)]
 pub(in crate::small) struct Row<S, const B: usize, const G: usize> {
     moving: [[S; 8]; B],
     products: [[S; 8]; G],
-    /// The places of entries that may differ from zero.
+    /// The indices of entries that may be nonzero.
     members: [Vec<u8>; 2],
 }
 
@@ -54,7 +55,7 @@ impl<S: Fused, const B: usize, const G: usize> Row<S, B, G> {
         self.members[1].iter().for_each(|member| *at(&mut self.products, (*member).into()) = S::zero());
     }
 
-    /// Adds a quantity so many times: one that moves, or one whose row is known.
+    /// Adds a multiple of a quantity: a moving one, or one whose row is known.
     #[inline(always)]
     fn take(&mut self, known: &[Self], quantity: usize, moving: usize, times: S) {
         if quantity < moving {
@@ -71,7 +72,7 @@ fn at<S, const N: usize>(groups: &mut [[S; 8]; N], number: usize) -> &mut S {
 }
 
 impl<S: Fused, const B: usize, const G: usize> Solving<S, B, G> {
-    /// Finds the rows at the point.
+    /// Computes the rows at the expansion point.
     #[inline(always)]
     pub(super) fn find_rows(&mut self) {
         let Solving { law, values, point, rows } = self;
