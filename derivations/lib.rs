@@ -1,17 +1,17 @@
 //! The content of the workbench under one name: systems, motors, papers, theorems, studies.
 //!
 //! # Overview
-//! * [`systems`]: mechanical systems, as data of bodies and laws of energy;
-//! * [`machines`]: electric motors, each one file of energies and laws of force;
-//! * [`papers`]: a paper a folder, its numbered equations as claims in the paper's own order and letters;
-//! * [`theorems`]: the workbench's own theorems as claims;
+//! * [`systems`]: mechanical systems, as bodies and energies;
+//! * [`machines`]: electric motors, each in one file of energies and force laws;
+//! * [`papers`]: a folder for each paper, with its numbered equations as claims in the paper's order and notation;
+//! * [`theorems`]: theorems of the workbench itself, as claims;
 //! * [`studies`]: steady motions, stability, numerical stability, model reduction.
 //!
-//! Tests of the whole repository stand beside this crate, in `tests/`.
+//! The tests of the whole repository are in `tests/`.
 
 pub use {machines, papers, studies, systems, theorems};
 
-/// The examples of the book compile and hold.
+/// Compiles and runs the examples of the book as doc tests.
 #[cfg(doctest)]
 mod book {
     #[doc = include_str!("../book/src/principles.md")]

@@ -301,7 +301,7 @@ extern "C" fn circle_by_fma(angle: f64) -> Point {
     angle.circle_once().into()
 }
 
-/// As [`circle_by_fma`] with equal results on any processor.
+/// As `circle_by_fma`, with bitwise equal results on any processor.
 extern "C" fn circle_once(angle: f64) -> Point {
     angle.circle_once().into()
 }

@@ -1,11 +1,11 @@
-//! The asynchronous motor without currents, torque linear in the slip.
+//! An asynchronous motor without currents: the torque is linear in the slip.
 
 use field::{Base, Over};
 use motor::{Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 reader::quantities! {
-    /// m = -k (phi' - W) - f phi'.
+    /// The torque m = -k (phi' - W) - f phi'.
     pub struct Asynchronous {
         /// speed of the stator's field
         field_speed: "rad/s",
@@ -34,7 +34,7 @@ impl<P: Base> Machine<P> for Asynchronous<P> {
     }
 }
 
-/// Among the motors of the catalogue.
+/// The entry in the catalogue of motors.
 pub const ENTRY: Entry = Entry {
     name: "asynchronous",
     summary: "asynchronous without currents, torque linear in the slip",

@@ -1,12 +1,13 @@
-//! The direct-current motor with brushes and permanent magnets on a constant voltage.
+//! A direct-current motor with brushes and permanent magnets at constant voltage.
 
 use field::{Base, Circle, Over};
 use motor::{Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 reader::quantities! {
-    /// L i' = v - R i - k phi', M = k i - f phi', k the flux: the commutator keeps the armature's current orthogonal to the magnets' field
-    /// while the conductors rotate through it, and nothing depends on the angle.
+    /// The equations L i' = v - R i - k phi', M = k i - f phi', where k is the flux. The commutator keeps the armature
+    /// current orthogonal to the field of the magnets while the conductors move through it; the laws do not depend on
+    /// the angle.
     pub struct Brushed {
         /// voltage at the brushes
         voltage: "V",
@@ -27,7 +28,7 @@ impl<P: Base> Machine<P> for Brushed<P> {
         RotorState::Speed
     }
 
-    /// The field is fixed in the housing.
+    /// The field is fixed in the housing: W = 0.
     #[inline(always)]
     fn frame_speed(&self) -> P {
         P::zero()

@@ -1,12 +1,12 @@
-//! The asynchronous motor with two windings at right angles on its rotor, after Leonov.
+//! An asynchronous motor with two orthogonal windings on its rotor, after Leonov.
 
 use field::{Base, Circle, Over};
 use motor::{Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 reader::quantities! {
-    /// psi_1 = a cos g, psi_2 = a sin g, a the flux: short-circuited windings without magnet and excitation, whose currents depend on the
-    /// field by the slip alone; m = -f phi'.
+    /// The flux linkages psi_1 = a cos g, psi_2 = a sin g with the flux a: short-circuited windings without magnet and
+    /// excitation, whose currents depend on the slip only; m = -f phi'.
     pub struct CrossedWindings {
         /// speed of the stator's field
         field_speed: "rad/s",

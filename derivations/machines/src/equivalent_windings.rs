@@ -1,14 +1,14 @@
-//! Exact lumping of the damper's bars into one or two equivalent windings.
+//! Exact reduction of the bars of a damper winding to one or two equivalent windings.
 //!
-//! A bar at the angle t_n acts on the rotor only through its direction u_n = (cos t_n, sin t_n). With the sums
-//! X = sum i_n cos t_n, Y = sum i_n sin t_n the torque of the damper is -a2 (X cos g - Y sin g), and
+//! A bar at the angle t_n acts on the rotor only through its direction u_n = (cos t_n, sin t_n). With the sums X = sum
+//! i_n cos t_n, Y = sum i_n sin t_n the torque of the bars is -a2 (X cos g - Y sin g), and
 //!
 //!   L2 (X, Y)' = -R2 (X, Y) + a2 g' G (cos g, -sin g) ,    G = sum u_n u_n^T .
 //!
-//! These equations are closed for any angles. N evenly spaced bars have G = N/2 times the identity for N >= 3: two equal
-//! orthogonal windings with flux a2 sqrt(N/2). For N = 1 and N = 2 all bars lie along one line: G has rank one,
-//! and one winding with flux a2 sqrt(N) is equivalent. The other N - 2 (for N = 2: one) combinations of the currents
-//! are not induced, do no work, and decay as exp(-R2 t / L2).
+//! These equations are closed for any angles. For N >= 3 evenly spaced bars G is N/2 times the identity: they are
+//! equivalent to two equal orthogonal windings with the flux a2 sqrt(N/2). For N = 1 and N = 2 all bars are collinear:
+//! G has rank one, and one winding with the flux a2 sqrt(N) is equivalent. The remaining N - 2 (for N = 2: one)
+//! combinations of the currents are not induced, do no work, and decay as exp(-R2 t / L2).
 
 use super::multi_current::{MultiCurrent, Windings};
 use field::{Analytic, Base, Circle, Over};
@@ -20,7 +20,7 @@ use symbolic::Sym;
 pub struct EquivalentWindings<P>(MultiCurrent<P>);
 
 impl<P: Base + Analytic> EquivalentWindings<P> {
-    /// The equivalent of `bars` evenly spaced bars, one of them at the angle `bar`.
+    /// The motor equivalent to `bars` evenly spaced bars, one of them at the angle `bar`.
     pub fn new(windings: Windings<P>, bars: usize, bar: Circle<P>) -> Self {
         let lines = if bars < 3 { 1 } else { 2 };
         let a2 = windings.a2 * (P::int(bars as i64) / P::int(lines as i64)).sqrt();

@@ -1,12 +1,12 @@
-//! The asynchronous motor without currents, torque after Kloss.
+//! An asynchronous motor without currents: the torque is that of Kloss.
 
 use field::{Base, Over};
 use motor::{Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 reader::quantities! {
-    /// With the slip ratio s = (W - phi') / W: m = 2 m_k s s_k / (s^2 + s_k^2) - f phi'. The torque of the motor decreases
-    /// again beyond the slip s_k: its sum with friction can vanish at up to three speeds.
+    /// With the slip ratio s = (W - phi') / W: m = 2 m_k s s_k / (s^2 + s_k^2) - f phi'. The torque of the motor
+    /// decreases beyond the slip ratio s_k; the total torque can vanish at up to three speeds.
     pub struct Kloss {
         /// speed of the stator's field
         field_speed: "rad/s" != 0,
@@ -38,7 +38,7 @@ impl<P: Base> Machine<P> for Kloss<P> {
     }
 }
 
-/// Among the motors of the catalogue.
+/// The entry in the catalogue of motors.
 pub const ENTRY: Entry = Entry {
     name: "kloss",
     summary: "asynchronous without currents, torque after Kloss",

@@ -1,15 +1,14 @@
-//! Electric motors: one file each, of energies and laws of force.
+//! Electric motors, each in one file of energies and force laws.
 //!
 //! # Overview
-//! The motors form a hierarchy of models, from rotors without a motor ([`motor::ConstantSpeed`], [`motor::FreeRotor`]) to one with
-//! every bar of its damper: [`asynchronous`] and [`kloss`] (torque a function of slip), [`synchronous`]
-//! (torque a function of the angle), [`equivalent_windings`] (damper as two currents), [`multi_current`] (all bars).
-//! Further motors are [`crossed_windings`] (asynchronous with two currents), [`permanent_magnet`] and [`brushed`] (fed by a
-//! voltage).
-//! Each implements [`motor::Machine`].
+//! The motors form a hierarchy of models, from rotors without a motor ([`motor::ConstantSpeed`], [`motor::FreeRotor`])
+//! to a motor with all bars of its damper winding: [`asynchronous`] and [`kloss`] (torque as a function of the slip),
+//! [`synchronous`] (torque as a function of the angle), [`equivalent_windings`] (damper winding as two currents),
+//! [`multi_current`] (all bars). Further motors are [`crossed_windings`] (asynchronous with two currents),
+//! [`permanent_magnet`] and [`brushed`] (with a voltage supply). Each implements [`motor::Machine`].
 //!
-//! To add a motor, write one file here, its line below, and one in the list; or its laws as text in a scene; or a list in
-//! another crate.
+//! To add a motor, write one file here, its module line below, and its entry in the list. Alternatively, give its laws
+//! as text in a scene, or a list in another crate.
 //!
 //! # Example
 //! ```

@@ -1,11 +1,12 @@
-//! The synchronous motor with the current of the excitation and of every bar of the damper, after Leonov and Zaretskii.
+//! A synchronous motor with the currents of the excitation and of every bar of the damper winding, after Leonov and
+//! Zaretskii.
 
 use field::{Base, Circle, Over};
 use motor::{Count, Datum, Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 reader::quantities! {
-    /// The electric and mechanical constants, also those of the equivalent windings.
+    /// The electric and mechanical constants, common with the equivalent windings.
     pub struct Windings {
         /// speed of the stator's field
         field_speed: "rad/s",
@@ -30,12 +31,12 @@ reader::quantities! {
     }
 }
 
-/// Fluxes psi_1 = a1 cos g of the excitation (x is its current less the constant part), psi_n = -a2 sin(g + t_n) of the bar
-/// at the angle t_n on the rotor; U = -b0 cos g; m = -mu g' - f phi'.
+/// The flux linkages psi_1 = a1 cos g of the excitation (x is its current minus the constant part), and psi_n = -a2
+/// sin(g + t_n) of the bar at the angle t_n on the rotor; U = -b0 cos g; m = -mu g' - f phi'.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MultiCurrent<P> {
     pub windings: Windings<P>,
-    /// t_n; the paper's are -pi/4 + 2 pi n/N
+    /// The angles t_n of the bars; those of the paper are -pi/4 + 2 pi n/N.
     pub bars: Vec<Circle<P>>,
 }
 

@@ -1,4 +1,4 @@
-//! The synchronous motor with permanent magnets on a voltage of constant amplitude, in Park's axes.
+//! A synchronous motor with permanent magnets at a voltage of constant amplitude, in Park's axes.
 
 use field::{Base, Circle, Over, Scalar};
 use motor::{Count, Entry, Machine, RotorState, letter};
@@ -24,15 +24,15 @@ reader::quantities! {
     }
 }
 
-/// The stator's currents in axes that turn with the rotor, d along its magnets and q across. With n pairs of poles and the
-/// electric angle n g from the place where the voltage lies across the magnets:
+/// The stator currents in axes that rotate with the rotor, d along its magnets and q perpendicular. With n pole pairs
+/// and the electric angle n g, measured from the position where the voltage is perpendicular to the magnets:
 ///
 ///   L_d i_d' = V sin(n g) - R i_d + n phi' L_q i_q ,
 ///   L_q i_q' = V cos(n g) - R i_q - n phi' (L_d i_d + Psi) ,    M = n (Psi i_q + (L_d - L_q) i_d i_q) - f phi' .
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PermanentMagnet<P> {
     pub magnets: Magnets<P>,
-    /// n
+    /// The number n of pole pairs.
     pub pole_pairs: usize,
 }
 
@@ -72,7 +72,7 @@ impl<P: Base> Machine<P> for PermanentMagnet<P> {
         Some(S::lift(self.magnets.voltage) * if winding == 0 { electric.sin } else { electric.cos })
     }
 
-    /// The flux of the other axis, which rotation couples into this winding.
+    /// The flux linkage of the other axis, which rotation couples into this winding.
     #[inline(always)]
     fn motional<S: Over<P>>(&self, winding: usize, currents: &[S]) -> Option<S> {
         let Magnets { flux, along, across, .. } = self.magnets.map(S::lift);
@@ -87,11 +87,11 @@ impl<P: Base> Machine<P> for PermanentMagnet<P> {
     }
 }
 
-/// n g by repeated doubling: many poles take few steps.
+/// The angle n g, by binary doubling.
 #[inline(always)]
 fn times<S: Scalar>(angle: Circle<S>, n: usize) -> Circle<S> {
     let mut sum = angle;
-    // the digits of n after its first
+    // the binary digits of n after the first
     for place in (0..n.max(1).ilog2()).rev() {
         sum = sum + sum;
         if n >> place & 1 == 1 {

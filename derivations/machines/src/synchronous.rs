@@ -1,11 +1,11 @@
-//! The synchronous motor without currents.
+//! A synchronous motor without currents.
 
 use field::{Base, Circle, Over};
 use motor::{Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 reader::quantities! {
-    /// A magnetised rotor in the turning field: U = -b0 cos g; friction m = -f phi'.
+    /// A magnetised rotor in the rotating field: U = -b0 cos g; friction m = -f phi'.
     pub struct Synchronous {
         /// speed of the stator's field
         field_speed: "rad/s",

@@ -1,7 +1,7 @@
-//! Papers, each a page of claims in the paper's own order and letters.
+//! Papers as pages of claims, in the papers' order and notation.
 //!
 //! # Overview
-//! * [`konosevich2022`]: gyrostats that an electric motor drives;
+//! * [`konosevich2022`]: gyrostats driven by an electric motor;
 //! * [`manglieva2022`]: systems with rolling, servo constraints and friction;
 //! * [`mukharlyamov2007`]: programmed constraints and their stabilisation.
 //!

@@ -1,4 +1,4 @@
-//! A scene of any family: the one place that lists the families.
+//! A scene of any family. All families are listed here only.
 
 use crate::scene::Scene;
 use reader::{Family, Issue, Opening, SceneError, Table};
@@ -11,7 +11,7 @@ use std::sync::Arc;
 pub enum AnyScene {
     /// A gyrostat or a bench with a motor.
     Driven(Box<Scene>),
-    /// A system that is written in the file.
+    /// A system defined by text in its file.
     Model(Arc<dyn Modelled>),
 }
 
@@ -43,7 +43,7 @@ impl AnyScene {
         }
     }
 
-    /// The scene as one initial value problem.
+    /// The scene as an initial value problem.
     pub fn smooth(&self) -> &dyn IvpScene {
         match self {
             Self::Driven(scene) => &**scene,

@@ -1,4 +1,5 @@
-//! Figures of the friction governors: stability maps of the one with an elastic rim, and errors of the programme's series.
+//! Data of figures on friction governors: stability maps for an elastic rim, and errors of the series of the programmed
+//! motion.
 
 use integrators::spectrum;
 use mechanics::stability::{characteristic, hurwitz};
@@ -6,28 +7,29 @@ use systems::elastic_governor::ElasticGovernor;
 use systems::governor::constant::ConstantTorques;
 use systems::governor::{Gearing, Governor, Torque};
 
-/// Stability of the stationary motion over two parameters.
+/// The stability of the steady motion over two parameters.
 #[derive(Clone, Debug)]
 pub struct StabilityMap {
     pub title: &'static str,
     pub x: (&'static str, [f64; 2]),
     pub y: (&'static str, [f64; 2]),
-    /// Whether every eigenvalue has a negative real part: rows from the lowest y, at the middle of the cells.
+    /// Whether every eigenvalue has a negative real part: rows from the lowest y, at the centres of the cells.
     pub rows: Vec<Vec<bool>>,
-    /// The y at which Hurwitz' minors cease to be positive, against x.
+    /// The y at which Hurwitz' minors cease to be positive, as a function of x.
     pub curve: Vec<(f64, f64)>,
-    /// The largest distance in y between `curve` and the boundary found by eigenvalues alone.
+    /// The largest distance in y between `curve` and the boundary by eigenvalues.
     pub distance: f64,
     pub note: &'static str,
 }
 
 const COLUMNS: usize = 90;
 const ROWS: usize = 75;
-/// omega1 of the stationary motion, rad/s.
+/// omega1 of the steady motion, rad/s.
 pub const SPEED: f64 = 2.0;
 
-/// The governor of the maps, with a stiffness across and a load: SI units; the disc is touched at 0.5 m from its axis.
-/// The rim resists, as the reading of the paper's Z has it: with the printed +a lambda of (3.17) a is minus the stiffness.
+/// The governor of the maps, with a lateral stiffness and a load, in SI units; the disc is in contact at 0.5 m from its
+/// axis. The rim resists, as in the interpretation of the paper's Z: with the printed +a lambda of (3.17) a is minus
+/// the stiffness.
 pub fn governor(stiffness: f64, load: f64) -> ElasticGovernor<f64> {
     ElasticGovernor {
         drum_inertia: 1.0,
@@ -57,8 +59,8 @@ pub fn governor(stiffness: f64, load: f64) -> ElasticGovernor<f64> {
     .stationary_at(SPEED)
 }
 
-/// Whether Hurwitz' minors of the exact characteristic polynomial are positive: the stationary motion at (omega1, x0) is
-/// stable then, exponentially.
+/// Whether Hurwitz' minors of the exact characteristic polynomial are positive: the steady motion at (omega1, x0) is
+/// then exponentially stable.
 pub fn has_positive_minors(data: &ElasticGovernor<f64>, speed: f64) -> bool {
     let minors = data.linearised(speed).map(|matrix| hurwitz(characteristic(matrix)));
     minors.is_ok_and(|minors| minors.iter().all(|minor| *minor > 0.0))
@@ -70,7 +72,8 @@ pub fn growth(data: &ElasticGovernor<f64>, speed: f64) -> Option<f64> {
     spectrum(matrix.len(), matrix.as_flattened())?.first().map(|root| root.re)
 }
 
-/// Two stability maps: load against the rim's stiffness, and load against the coefficient by which its angle bends the line of rolling.
+/// Two stability maps: load and stiffness of the rim, and load and the coefficient by which the rim's angle bends the
+/// rolling line.
 pub fn stability() -> [StabilityMap; 2] {
     [
         map(
@@ -116,7 +119,7 @@ fn map(
     StabilityMap { title, x: (x, [0.0, most]), y, rows: (0..ROWS).map(row).collect(), curve, distance, note }
 }
 
-/// The largest load for which a condition holds, by bisection; the condition holds for small loads.
+/// The largest load for which a condition is true, by bisection; it is true for small loads.
 fn boundary(holds: impl Fn(f64) -> bool) -> f64 {
     let (mut low, mut high) = (0.0, MOST_LOAD);
     loop {
@@ -128,7 +131,7 @@ fn boundary(holds: impl Fn(f64) -> bool) -> f64 {
     }
 }
 
-/// For each prescribed speed, rad/s: the error of the programme's series at one instant against its order.
+/// For each prescribed speed, rad/s: the error of the series of the programmed motion at one time, by its order.
 pub fn series_errors() -> Vec<(f64, Vec<(usize, f64)>)> {
     let data = Governor {
         inertia: [0.6, 0.5, 0.1],

@@ -1,22 +1,23 @@
-//! Studies of mechanical and electromechanical systems: motions, stability, steps of methods, smaller models.
+//! Studies of mechanical and electromechanical systems: motions, stability, numerical stability, model reduction.
 //!
 //! # Overview
 //! * [`stationary`]: all steady motions of a gyrostat with any motor, exactly;
 //! * [`numerical_stability`]: numerical stability of steady motions;
 //! * [`synchronism`]: a synchronous motor under load: synchronous and slipping motions;
-//! * [`stabilisation`]: constraint stabilisation (Baumgarte's gains, projection): stability regions, errors and work, measured;
-//! * [`failures`]: failures of numerical methods, each with its threshold by theory and by runs;
-//! * [`model_reduction`]: smaller models of a scene, the error of each, the cheapest that suffices;
+//! * [`stabilisation`]: constraint stabilisation (Baumgarte's gains, projection): stability regions, errors and work,
+//!   measured;
+//! * [`failures`]: failures of numerical methods, with thresholds by theory and by runs;
+//! * [`model_reduction`]: reduced models of a scene, their errors, and the cheapest sufficient one;
 //! * [`conformance`]: checks of the general laws of motors;
-//! * [`closed_forms`]: motions in closed form, against which runs and references are measured;
-//! * [`long_runs`]: growth of errors over a million revolutions, measured against a closed form;
-//! * [`regimes`], [`governors`]: maps and series for pictures;
+//! * [`closed_forms`]: motions in closed form, by which runs and references are checked;
+//! * [`long_runs`]: growth of errors over a million revolutions, measured by a closed form;
+//! * [`regimes`], [`governors`]: data of figures;
 //! * [`scene`]: a gyrostat or a bench with a motor, from a file; [`AnyScene`]: such a scene, or a model;
-//! * [`knowledge`]: facts about single text systems beyond their equations: closed forms, ends, smaller models;
+//! * [`knowledge`]: knowledge of single systems beyond their equations: closed forms, margins, reduced models;
 //! * [`ensemble`]: ensembles: many systems of one kind with different data, run in batches.
 //!
 //! # Example
-//! A synchronous motor as text passes the checks of [`conformance`].
+//! A synchronous motor given by text passes the checks of [`conformance`].
 //! ```
 //! use claims::finding::PropertyVerdict;
 //! use dalembert_studies::conformance::conform;

@@ -8,9 +8,10 @@
 //! | a splitting, without friction | h^p, bounded (a modified energy is conserved) | h^p n |
 //! | either, where only rounding is left | sqrt(n) | n^(3/2) (Brouwer 1937) |
 //!
-//! The error of v.v grows like that of the energy, or as sqrt(n) where a step turns v by rotations. The law is reversible, and
-//! the terms of the modified equation with even powers of h are too (Hairer, Lubich and Wanner, Geometric Numerical Integration,
-//! IX and XI): over a nutation, which is symmetric in time, they change the energy by nothing. The first odd power changes it.
+//! The error of v.v grows like that of the energy, or as sqrt(n) if each step rotates v. The law is reversible, and so
+//! are the terms of the modified equation with even powers of h (Hairer, Lubich and Wanner, Geometric Numerical
+//! Integration, IX and XI): over a nutation, which is symmetric in time, they do not change the energy. The first odd
+//! power changes it.
 
 use field::DoubleDouble;
 use integrators::{
@@ -25,7 +26,7 @@ use systems::gyrostat::forms::FirstForm;
 use systems::gyrostat::lagrange::{Nutation, Top};
 use systems::gyrostat::{Carrier, Gyrostat, Rotor};
 
-/// A top with a rotor that turns freely about its axis; it starts at a turning point of its nutation.
+/// A top with a free rotor about its axis, which starts at a turning point of its nutation.
 pub struct LongRun {
     law: Arc<Driven<f64, FirstForm<f64>, FreeRotor<f64>>>,
     state: Vec<f64>,
@@ -33,7 +34,7 @@ pub struct LongRun {
     nutation: Nutation,
 }
 
-/// Errors of a run after a number of revolutions.
+/// The errors of a run after a number of revolutions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
     /// periods of the nutation
@@ -50,7 +51,7 @@ pub struct Sample {
     pub phase: Option<f64>,
 }
 
-/// A method over a long run.
+/// The samples of a method over a long run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MethodRun {
     pub method: Method,
@@ -61,21 +62,21 @@ pub struct MethodRun {
     pub failure: Option<Failure>,
 }
 
-/// A method with its number of steps for a revolution, or its tolerance.
+/// A method with its number of steps per revolution, or its tolerance.
 #[derive(Clone, Copy, Debug)]
 pub enum Pace {
-    /// A method with this number of steps for a revolution, a multiple of four.
+    /// A method with this number of steps per revolution, a multiple of four.
     Steps(Constant, u32),
     Tolerance(Method, f64),
 }
 
-/// A method with constant steps, from their number.
+/// Constructs a method with constant steps from their number.
 pub type Constant = fn(u32) -> Method;
 
 /// The largest phase error, in revolutions, up to which u is taken as linear in time.
 const LOST: f64 = 0.05;
 
-/// The methods that are compared: about 320 evaluations, or pairs of flows there and back, for a revolution.
+/// The methods that are compared, with about 320 evaluations (or pairs of forward and adjoint flows) per revolution.
 pub const PACES: [Pace; 9] = [
     Pace::Steps(|steps| Method::RungeKutta4 { steps }, 80),
     Pace::Tolerance(Method::DormandPrince8, 1e-10),
@@ -94,8 +95,8 @@ impl LongRun {
         Self::turned(0.0)
     }
 
-    /// The top with the carrier turned about the axis by an angle at the start: by symmetry one motion, but other numbers
-    /// for rounding and for every method that does not respect the symmetry.
+    /// The top with the carrier rotated about the axis by an initial angle (rad). By symmetry the motion is equivalent,
+    /// but rounding differs, and so do methods that do not respect the symmetry.
     pub fn turned(angle: f64) -> Option<Self> {
         let bodies = Gyrostat {
             carrier: Carrier {
@@ -166,14 +167,14 @@ impl LongRun {
         self.nutation.period
     }
 
-    /// The relative difference of a state's energy from that of the start.
+    /// The relative difference of a state's energy from that at the start.
     pub fn energy(&self, state: &[f64]) -> f64 {
         let start = self.law.energy(&self.state);
         (self.law.energy(state) - start) / start
     }
 
-    /// The errors by rounding alone in energy (relative), v.v and x.v (relative) after a number of revolutions, against a run of the
-    /// method in double-double; `None` for a method that does not run in double-double, or a run that failed.
+    /// The rounding errors in energy (relative), v.v and x.v (relative) after a number of revolutions, from a run of
+    /// the method in double-double; `None` for a method without double-double, or a failed run.
     pub fn rounding(&self, method: Constant, each: u32, revolutions: u32) -> Option<[f64; 3]> {
         let method = method(each * revolutions);
         let time = self.nutation.period * f64::from(revolutions);
@@ -211,7 +212,8 @@ impl LongRun {
 }
 
 impl MethodRun {
-    /// The exponent e of error ~ n^e, from a hundredth of the run to its end or to the last sample for which `of` gives a value.
+    /// The exponent e of error ~ n^e, from a hundredth of the run to its end, or to the last sample for which `of`
+    /// gives a value.
     pub fn growth(&self, of: impl Fn(&Sample) -> Option<f64>) -> Option<f64> {
         let seen = |sample: &Sample| Some((sample.revolutions, of(sample)?));
         let (end, last) = self.samples.iter().filter_map(seen).next_back()?;
@@ -230,7 +232,7 @@ struct Sampled<'a> {
 impl Observer<f64> for Sampled<'_> {
     fn sample(&mut self, time: f64, state: &[f64]) {
         let mut sample = self.run.sample(time, state, self.swing);
-        // a phase error that was lost and is small again belongs to another revolution
+        // a phase error that becomes small again after it was lost belongs to another revolution
         if self.samples.last().is_some_and(|before| before.phase.is_none()) {
             sample.phase = None;
         }

@@ -1,4 +1,4 @@
-//! The paper's letters with their LaTeX and dimensions, and how symbols are made of them.
+//! The symbols of the paper with their LaTeX and dimensions.
 
 use claims::alphabet::{self, Letter, read_by};
 use field::{Rational, Scalar};
@@ -6,7 +6,8 @@ use nalgebra::{Matrix3, Vector3};
 use num_traits::One;
 use symbolic::{Dimension, Sym};
 
-/// (name, LaTeX, exponents of kg, m, s, A). A `#` at the end of a name stands for 1, 2, 3, two for a pair of them.
+/// The symbols: name, LaTeX, exponents of kg, m, s, A. A `#` at the end of a name stands for the indices 1, 2, 3, two
+/// for a pair of indices.
 const LETTERS: &[Letter<4>] = &[
     ("ω#", r"\omega_#", [0, 0, -1, 0]),
     ("ω̇#", r"\dot\omega_#", [0, 0, -2, 0]),
@@ -65,7 +66,7 @@ const LETTERS: &[Letter<4>] = &[
     ("Δ⋆", r"\Delta^*", [2, 4, 0, 0]),
     ("Π⋆", r"\Pi^*", [0, 0, 0, 0]),
     ("l⁰", "l^0", [0, 0, 0, 0]),
-    // ours: Euler's angles, a quaternion, a direction, a scale, sines and cosines by name
+    // additional symbols: Euler angles, a quaternion, a direction, a scale, sines and cosines by name
     ("ψ", r"\psi", [0, 0, 0, 0]),
     ("θ", r"\theta", [0, 0, 0, 0]),
     ("φ", r"\varphi", [0, 0, 0, 0]),
@@ -90,7 +91,7 @@ const LETTERS: &[Letter<4>] = &[
     ("sn", r"\sin 2nh", [0, 0, 0, 0]),
     ("ct", r"\cos t", [0, 0, 0, 0]),
     ("st", r"\sin t", [0, 0, 0, 0]),
-    // ours: a multiplier and its coefficients, moments of inertia
+    // additional symbols: a multiplier and its coefficients, moments of inertia
     ("λ", r"\lambda", [1, 2, -2, 0]),
     ("α#", r"\alpha_#", [1, 2, -2, 0]),
     ("δ#", r"\delta_#", [1, 2, -2, 0]),
@@ -100,7 +101,7 @@ const LETTERS: &[Letter<4>] = &[
 
 read_by!(letter, vector; [LETTERS]);
 
-/// The dimension of a symbol of the paper; `None` for a name that the paper does not have.
+/// The dimension of a symbol of the paper; `None` for an unknown name.
 pub fn dimension(name: &str) -> Option<Dimension> {
     let place = |[kg, m, s, a]: [i64; 4]| Dimension::of(kg, m, s, a);
     for (stem, exponents) in [("i̇", [0, 0, -1, 1]), ("i", [0, 0, 0, 1]), ("t", [0, 0, 0, 0])] {
@@ -109,7 +110,7 @@ pub fn dimension(name: &str) -> Option<Dimension> {
         }
     }
     if name.starts_with("C") && name.len() == 3 {
-        // the root of a moment of inertia
+        // the square root of a moment of inertia
         return dimension("A′").map(|inertia| inertia.power(Rational::new(1, 2)));
     }
     alphabet::dimension(LETTERS, name)
@@ -126,7 +127,7 @@ pub fn current(bar: u32) -> Sym {
     Sym::named(&format!("i{bar}"), &format!("i_{{{bar}}}"))
 }
 
-/// (1 2 3): a formula for the first component, and its cyclic permutations.
+/// The vector whose components are a formula for (1 2 3) and its cyclic permutations.
 pub fn cyclic(formula: impl Fn(usize, usize, usize) -> Sym) -> Vector3<Sym> {
     Vector3::new(formula(0, 1, 2), formula(1, 2, 0), formula(2, 0, 1))
 }

@@ -1,4 +1,4 @@
-//! Beyond the paper: power balance, a function that never grows, integrals, and stationary motions as critical points.
+//! Additional results: power balance, a nonincreasing function, integrals, and stationary motions as critical points.
 
 use super::alphabet::{cyclic, letter, number, one, vector};
 use super::letters::Letters;
@@ -18,7 +18,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     bounds(page, s);
 }
 
-/// Integrals that every machine conserves.
+/// Claims on the integrals that every machine conserves.
 fn integrals(page: &mut Page, s: &Letters) {
     let g = s.general();
     let moving = Vector3::from(along(s.w.into(), s.dw.into()));
@@ -45,7 +45,7 @@ fn integrals(page: &mut Page, s: &Letters) {
     .follows([Zero(still - g.weight().cross(&s.nu).dot(&s.nu))]);
 }
 
-/// Stationary directions are the critical points of a function on the sphere.
+/// Claims: stationary directions are the critical points of a function on the sphere.
 fn critical_points(page: &mut Page, s: &Letters) {
     let potential = (s.a_star.component_mul(&s.nu).dot(&s.nu) * s.omega0.powi(2)) / number(2, 1)
         + s.axial * s.omega_field * s.omega0 * s.l.dot(&s.nu)
@@ -80,7 +80,8 @@ fn critical_points(page: &mut Page, s: &Letters) {
         )]);
 }
 
-/// D from the data: lower bound through the least moment a of A, in principal axes of A with A_i = a + d_i.
+/// Bounds of D from the data: a lower bound through the smallest principal moment a of A, in principal axes of A with
+/// A_i = a + d_i.
 fn bounds(page: &mut Page, s: &Letters) {
     let least = letter("a");
     let d = vector("d");

@@ -1,4 +1,4 @@
-//! Beyond the paper: the bars of the damper, their equivalent windings, and their torque at constant slip.
+//! Additional results: the bars of the damper winding, their equivalent windings, and their torque at constant slip.
 
 use super::alphabet::{current, letter, number, one};
 use super::letters::Letters;
@@ -21,9 +21,9 @@ pub fn claims(page: &mut Page, s: &Letters) {
     constant_slip(page, s);
 }
 
-/// The motor with N bars and its equivalent have equal torque, and the equivalent's currents, as combinations of
-/// the bars', obey the equivalent's equations: j_k = sum_n i_n (u_n . d_k) / w, with d_k the equivalent's axes and w the
-/// root of N or N/2.
+/// Claims: the motor with N bars and its equivalent have equal torque, and the equivalent currents j_k = sum_n i_n (u_n
+/// . d_k) / w satisfy the equivalent equations, where d_k are the axes of the equivalent windings and w is sqrt(N) or
+/// sqrt(N/2).
 fn reduction(page: &mut Page, s: &Letters, bars: u32, slug: &'static str) {
     let motor = s.evenly_spaced(bars);
     let bar = motor.bars.last().copied().unwrap_or(Circle::zero());
@@ -59,14 +59,14 @@ fn reduction(page: &mut Page, s: &Letters, bars: u32, slug: &'static str) {
     debug_assert_eq!(equivalent.windings(), 1 + lines as usize);
 }
 
-/// For every N: the sum of u_n u_n^T over evenly spaced bars, through the sum of the doubled angles by induction.
+/// Claims for every N: the sum of u_n u_n^T over evenly spaced bars, by induction on the sum of the doubled angles.
 fn every_number(page: &mut Page, s: &Letters) {
     let bar = |name: &str| Circle { cos: letter(&format!("c{name}")), sin: letter(&format!("s{name}")) };
     // half of the doubled step, h = 2 pi/N, and the doubled angle after n steps
     let (half, at) = (bar("h"), bar("n"));
     let step = half + half;
     let next = at + step;
-    // closed form of sum_{k=1..n} cos(k 2h), at the doubled angle n 2h: (sin(n 2h + h) - sin h) / (2 sin h)
+    // closed form of sum_{k=1..n} cos(k 2h) at the doubled angle n 2h: (sin(n 2h + h) - sin h) / (2 sin h)
     let cosines = |end: Circle<Sym>| ((end + half).sin - half.sin) / (number(2, 1) * half.sin);
     let sines = |end: Circle<Sym>| (half.cos - (end + half).cos) / (number(2, 1) * half.sin);
     page.claim("beyond-damper", "sums", r"$\sum_{k=1}^n\cos 2kh = \frac{\sin(2n+1)h - \sin h}{2\sin h}$ and $\sum_{k=1}^n\sin 2kh = \frac{\cos h - \cos(2n+1)h}{2\sin h}$, by induction over $n$: beginning and step. At $h = 2\pi/N$, $n = N$ the angle $2nh=4\pi$ is that of the beginning, where both sums are zero. The denominator vanishes for $N=1$ and $N=2$ only")
@@ -79,7 +79,7 @@ fn every_number(page: &mut Page, s: &Letters) {
             Equal(cosines(next) - cosines(at), next.cos),
             Equal(sines(next) - sines(at), next.sin),
         ]);
-    // a bar's dyad in terms of its doubled angle
+    // the dyad of a bar in terms of its doubled angle
     let t = bar("t");
     let doubled = t + t;
     page.claim("beyond-damper", "dyad", r"$u u^T = \frac12\left(1 + \begin{pmatrix}\cos2t&\sin2t\\ \sin2t&-\cos2t\end{pmatrix}\right)$ for a bar's direction $u=(\cos t,\sin t)$. Summed over evenly spaced bars, with beyond-damper/sums, $\sum u_nu_n^T = \frac N2\,1$ for every $N\ge3$")
@@ -90,7 +90,7 @@ fn every_number(page: &mut Page, s: &Letters) {
             Equal(t.cos * t.sin, doubled.sin / number(2, 1)),
             Equal(t.sin * t.sin, (one() - doubled.cos) / number(2, 1)),
         ]);
-    // closure for arbitrary angles, bar by bar: the sums of the whole are sums of these
+    // closure of the equations for arbitrary angles, bar by bar: the total sums are sums of these
     let gamma = s.angle();
     let (a2, l2, r2, i) = (letter("a2"), letter("L2"), letter("R2"), current(1));
     let rate = (a2 * s.dgamma * (gamma + t).cos - r2 * i) / l2;
@@ -110,7 +110,7 @@ fn every_number(page: &mut Page, s: &Letters) {
         ]);
 }
 
-/// The other combinations of currents decay freely: for N = 3 the sum, for N = 2 the sum, for N = 4 two.
+/// Claims: the other combinations of currents decay freely: one for N = 2 and N = 3 (the sum), two for N = 4.
 fn other_modes(page: &mut Page, s: &Letters) {
     let mut decays = Vec::new();
     for (bars, modes) in
@@ -129,7 +129,7 @@ fn other_modes(page: &mut Page, s: &Letters) {
         .follows(decays);
 }
 
-/// At constant slip the damper is an asynchronous motor after Kloss.
+/// Claims: at constant slip the damper winding is an asynchronous motor after Kloss.
 fn constant_slip(page: &mut Page, s: &Letters) {
     let (a2, l2, r2) = (letter("a2"), letter("L2"), letter("R2"));
     let slip = s.dgamma;

@@ -1,5 +1,5 @@
-//! Equations of motion of the paper's gyrostat and of its motor as text: derived by a chosen principle, in normal form, not
-//! solved for the accelerations.
+//! Equations of motion of the paper's gyrostat and of its motor, as text: derived by a selected principle, in normal
+//! form, not solved for the accelerations.
 
 use super::alphabet::letter;
 use super::letters::Letters;
@@ -58,7 +58,7 @@ fn simplified(expression: Sym, rules: &Hypotheses) -> Result<Sym, NotDerived> {
     normal(expression, rules).map(|form| form.to_sym()).map_err(|reason| NotDerived::TooLarge(reason.to_string()))
 }
 
-/// residual = 0 with the accelerations on the left; a common denominator is multiplied away.
+/// The equation residual = 0 with the accelerations on the left-hand side, multiplied by the common denominator.
 fn split(residual: Sym, accelerations: &[Sym], rules: &Hypotheses) -> Result<Equation, NotDerived> {
     let form = normal(residual, rules).map_err(|reason| NotDerived::TooLarge(reason.to_string()))?;
     let terms =

@@ -1,7 +1,7 @@
-//! Exact gyrostats that exist, as counterexamples and examples.
+//! Exact gyrostats that exist as bodies, as examples and counterexamples.
 //!
-//! Each is given by bodies. The rotor has m' = 1 kg, its centre in O, and A' = B'; the carrier 100 kg. Then A* is the
-//! carrier's tensor plus A' times the identity: the principal axes are those of the data.
+//! The rotor has m' = 1 kg, its centre in O, and A' = B'; the carrier has 100 kg. A* is then the carrier's tensor plus
+//! A' times the identity, so that its principal axes are those of the data.
 
 use super::letters::Letters;
 use claims::Point;
@@ -10,31 +10,31 @@ use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
 use systems::gyrostat::{Carrier, Gyrostat, MotionInstant, Rotor};
 
-/// A gyrostat with a direction, a field speed and, where it matters, an angular velocity about the vertical.
+/// A gyrostat with a direction of rotation, a field speed and, where needed, an angular velocity about the vertical.
 #[derive(Clone, Copy, Debug)]
 pub struct Example {
     /// The statement that the example illustrates or refutes.
     pub name: &'static str,
     pub gyrostat: Gyrostat<Rational>,
-    /// Gamma, N m
+    /// The weight Gamma, N m.
     pub gamma: Rational,
-    /// e
+    /// The direction e of the centre of mass.
     pub direction: Vector3<Rational>,
-    /// nu
+    /// The vertical nu, in body axes.
     pub vertical: Vector3<Rational>,
-    /// W, rad/s
+    /// The field speed W, rad/s.
     pub field_speed: Rational,
-    /// w0, rad/s; `None` where the statement is about all values
+    /// The angular velocity w0, rad/s; `None` where the statement concerns all values.
     pub angular_velocity: Option<Rational>,
 }
 
-/// Integers over a common denominator.
+/// A vector with integer components over a common denominator.
 fn vector(components: [i64; 3], denominator: i64) -> Vector3<Rational> {
     Vector3::from(components.map(|c| Rational::new(c, denominator)))
 }
 
 struct Data {
-    /// A*
+    /// The principal moments of A*.
     full: [i64; 3],
     axis: Vector3<Rational>,
     gamma: i64,
@@ -44,7 +44,7 @@ struct Data {
 }
 
 impl Data {
-    /// The example of these data, with A' = B' = 1 and W = 1.
+    /// The example with these data, A' = B' = 1 and W = 1.
     fn example(self, name: &'static str) -> Example {
         let (mass, gravity) = (Rational::int(100), Rational::int(10));
         let gamma = Rational::int(self.gamma);
@@ -75,12 +75,12 @@ impl Data {
     }
 }
 
-/// (3B) spherical A*, no weight: the rotor's axis is the only axis of rotation.
+/// Statement 3B: a spherical A* without weight; the rotor's axis is the only axis of rotation.
 pub fn spherical() -> Example {
     balanced([3, 3, 3]).example("spherical tensor, balanced; vertical across the rotor's axis")
 }
 
-/// (3B) A2* = A3*, rotor along the axis of symmetry, vertical across it.
+/// Statement 3B: A2* = A3*, the rotor along the axis of symmetry, the vertical perpendicular to it.
 pub fn symmetric() -> Example {
     balanced([4, 3, 3]).example("symmetric tensor, balanced; vertical across the rotor's axis")
 }
@@ -96,7 +96,7 @@ fn balanced(full: [i64; 3]) -> Data {
     }
 }
 
-/// (3C) three different principal moments, vertical along a principal axis that is not the rotor's.
+/// Statement 3C: distinct principal moments, the vertical along a principal axis other than the rotor's.
 pub fn principal_axis() -> Example {
     Data {
         full: [3, 4, 5],
@@ -109,7 +109,7 @@ pub fn principal_axis() -> Example {
     .example("three different moments, balanced; vertical along a principal axis")
 }
 
-/// (3D) a rotation whose angular velocity has the sign opposite to the printed formula.
+/// Statement 3D: a rotation whose angular velocity has the sign opposite to the printed formula.
 pub fn opposite_sign() -> Example {
     Data {
         full: [3, 4, 5],
@@ -123,21 +123,21 @@ pub fn opposite_sign() -> Example {
     .example("balanced, rotor's axis and vertical in one principal plane")
 }
 
-/// (5) spherical A*, l across e: a rotation although Pi* is not identically zero.
+/// Statement 5: a spherical A*, l perpendicular to e: a rotation exists although Pi* is not identically zero.
 pub fn across() -> Example {
     Data {
         full: [3, 3, 3],
         axis: vector([1, 0, 0], 1),
         gamma: 4,
         direction: vector([0, 1, 0], 1),
-        // nu parallel to A' W w0 l + Gamma e = (3, 4, 0)
+        // nu is parallel to A' W w0 l + Gamma e = (3, 4, 0)
         vertical: vector([3, 4, 0], 5),
         angular_velocity: Some(Rational::int(3)),
     }
     .example("spherical tensor, centre of mass across the rotor's axis")
 }
 
-/// (5) spherical A*, l = e: (7.4) and (7.7) hold for every direction and angular velocity, (6.5) does not.
+/// Statement 5: a spherical A*, l = e: (7.4) and (7.7) hold for every direction and angular velocity, (6.5) does not.
 pub fn along() -> Example {
     Data {
         full: [3, 3, 3],
@@ -150,12 +150,12 @@ pub fn along() -> Example {
     .example("spherical tensor, centre of mass on the rotor's axis")
 }
 
-/// (6) rotor, centre of mass and vertical in one principal plane: S* = Pi* = V* = 0, w0 not free.
+/// Statement 6: rotor, centre of mass and vertical in one principal plane: S* = Pi* = V* = 0, and w0 is determined.
 pub fn plane() -> Example {
     in_a_plane([3, 4, 0]).example("rotor's axis, centre of mass and vertical in one principal plane")
 }
 
-/// (Remark 3) nu3 = 0 and the first two of (6.5) hold, the third does not.
+/// Remark 3: nu3 = 0 and the first two of (6.5) hold, the third does not.
 pub fn two_of_three() -> Example {
     in_a_plane([4, 3, 0]).example("first two relations hold, the third does not")
 }
@@ -171,7 +171,7 @@ fn in_a_plane(vertical: [i64; 3]) -> Data {
     }
 }
 
-/// (7.11) on the spherical line at a principal axis: S* = V* = 0 but Pi* != 0, and no rotation.
+/// (7.11) on the spherical line at a principal axis: S* = V* = 0 but Pi* != 0, and no rotation exists.
 pub fn on_the_line() -> Example {
     Data {
         full: [3, 4, 5],
@@ -184,7 +184,7 @@ pub fn on_the_line() -> Example {
     .example("three different moments; vertical along a principal axis")
 }
 
-/// (5.2) a thin rod of mass 3 kg and length 1 m from O along the rotor's axis, and the rotor at its end: D = 0.
+/// (5.2): a thin rod of mass 3 kg and length 1 m from O along the rotor's axis, with the rotor at its end: D = 0.
 pub fn rod() -> Gyrostat<Rational> {
     let (one, three) = (Rational::int(1), Rational::int(3));
     Gyrostat {
@@ -204,7 +204,7 @@ pub fn rod() -> Gyrostat<Rational> {
     }
 }
 
-/// All examples that concern stationary motions.
+/// All examples on stationary motions.
 pub fn all() -> Vec<Example> {
     vec![
         spherical(),
@@ -220,7 +220,7 @@ pub fn all() -> Vec<Example> {
 }
 
 impl Example {
-    /// The values of the paper's letters.
+    /// The values of the paper's symbols.
     pub fn point(&self, s: &Letters) -> Point {
         let full = self.gyrostat.full_tensor();
         let rotor = self.gyrostat.rotor;
@@ -235,7 +235,8 @@ impl Example {
         )
     }
 
-    /// The rotation about the vertical with an angular velocity, the rotor at the field's speed without a torque.
+    /// The rotation about the vertical with a given angular velocity (rad/s); the rotor has the field's speed and no
+    /// torque.
     pub fn rotation(&self, angular_velocity: Rational) -> MotionInstant<Rational> {
         MotionInstant {
             angular_velocity: self.vertical * angular_velocity,
@@ -247,7 +248,7 @@ impl Example {
         }
     }
 
-    /// The residual torques about O of this rotation, by the theorem of angular momentum.
+    /// The residual torques about O of this rotation (N m), by the theorem of angular momentum.
     pub fn residual_torques(&self, angular_velocity: Rational) -> Vector3<Rational> {
         let [x, y, z, _] = self.gyrostat.by_momentum(&self.rotation(angular_velocity));
         Vector3::new(x, y, z)

@@ -1,4 +1,4 @@
-//! The quantities that the paper names, as symbols, and the gyrostat in these symbols.
+//! The quantities of the paper as symbols, and the gyrostat in these symbols.
 
 use super::alphabet::{current, cyclic, letter, tensor, vector};
 use field::{Analytic, Circle};
@@ -8,7 +8,7 @@ use num_traits::Zero;
 use symbolic::{Hypotheses, Sym};
 use systems::gyrostat::{Carrier, Gyrostat, MotionInstant, Rotor};
 
-/// The quantities that the paper names.
+/// The quantities of the paper as symbols.
 pub struct Letters {
     pub w: Vector3<Sym>,
     pub dw: Vector3<Sym>,
@@ -34,13 +34,13 @@ pub struct Letters {
     pub omega0: Sym,
     pub b0: Sym,
     pub c0: Sym,
-    /// |l| = 1
+    /// The hypothesis |l| = 1.
     pub unit_axis: Hypotheses,
-    /// |nu| = 1
+    /// The hypothesis |nu| = 1.
     pub unit_vertical: Hypotheses,
 }
 
-/// The symbols, made in the calling thread.
+/// The symbols, created in the calling thread.
 impl Default for Letters {
     fn default() -> Self {
         let (l, nu) = (vector("l"), vector("ν"));
@@ -74,7 +74,7 @@ impl Default for Letters {
 }
 
 impl Letters {
-    /// The gyrostat in arbitrary axes, every datum a symbol.
+    /// The gyrostat in arbitrary axes, with a symbol for every datum.
     pub fn general(&self) -> Gyrostat<Sym> {
         Gyrostat {
             carrier: Carrier { mass: letter("m⁰"), centre: vector("c⁰"), inertia: tensor("A⁰") },
@@ -83,8 +83,8 @@ impl Letters {
         }
     }
 
-    /// The gyrostat in the principal axes of A: the carrier's tensor is diag(A1, A2, A3) less the rotor's part, and
-    /// the carrier's centre follows likewise from the weight Gamma e.
+    /// The gyrostat in the principal axes of A: the carrier's tensor is diag(A1, A2, A3) minus the rotor's
+    /// contribution; its centre of mass follows from the weight Gamma e.
     pub fn in_axes_of_a(&self) -> Gyrostat<Sym> {
         self.with_reduced_tensor(Matrix3::from_diagonal(&self.a))
     }
@@ -116,7 +116,7 @@ impl Letters {
         Rotor { mass: self.m_rotor, centre: self.h, axis: self.l, axial: self.axial, transverse: self.transverse }
     }
 
-    /// An instant with all accelerations free.
+    /// An instant of a motion with arbitrary accelerations.
     pub fn motion(&self) -> MotionInstant<Sym> {
         MotionInstant {
             angular_velocity: self.w,
@@ -128,12 +128,12 @@ impl Letters {
         }
     }
 
-    /// An instant with the rotor's angle measured from the field: phi' = g' + W.
+    /// An instant of a motion with the rotor's angle measured from the field: phi' = g' + W.
     pub fn motion_from_field(&self) -> MotionInstant<Sym> {
         MotionInstant { rotor_speed: self.dgamma + self.omega_field, rotor_acceleration: self.ddgamma, ..self.motion() }
     }
 
-    /// A constant motion: w = w0 nu, everything else at rest, the rotor at a relative speed.
+    /// A steady motion: w = w0 nu, all other rates zero, the rotor at a constant relative speed.
     pub fn stationary(&self, rotor_speed: Sym, torque: Sym) -> MotionInstant<Sym> {
         MotionInstant {
             angular_velocity: self.nu * self.omega0,
@@ -145,7 +145,7 @@ impl Letters {
         }
     }
 
-    /// The electric constants; friction is the torque M2.
+    /// The electric constants; friction is the torque M2 instead.
     pub fn windings(&self) -> Windings<Sym> {
         Windings {
             field_speed: self.omega_field,
@@ -161,13 +161,14 @@ impl Letters {
         }
     }
 
-    /// The paper's motor, with its bars at arbitrary angles: the paper's are t_n = -pi/4 + 2 pi n/N.
+    /// The paper's motor, with its bars at arbitrary angles; those of the paper are t_n = -pi/4 + 2 pi n/N.
     pub fn motor(&self, bars: u32) -> MultiCurrent<Sym> {
         let angle = |n| Sym::named(&format!("t{n}"), &format!("t_{{{n}}}"));
         MultiCurrent { windings: self.windings(), bars: (1..=bars).map(|n| angle(n).circle()).collect() }
     }
 
-    /// The motor with N bars evenly spaced from -pi/4 on; N divides 24, for which the angles have roots of 2 and 3.
+    /// The motor with N bars evenly spaced from -pi/4 on. N must divide 24, so that the angles have square roots of 2
+    /// and 3 only.
     pub fn evenly_spaced(&self, bars: u32) -> MultiCurrent<Sym> {
         let back = Circle::exact_turn(1, 8).unwrap_or(Circle::zero());
         let bars = (1..=bars).filter_map(|n| Circle::exact_turn(n, bars)).map(|turn| turn - back).collect();
@@ -179,22 +180,22 @@ impl Letters {
         self.gamma.circle()
     }
 
-    /// x, i1, i2, ...
+    /// The currents x, i1, i2, ...
     pub fn currents(&self, bars: u32) -> Vec<Sym> {
         std::iter::once(letter("x")).chain((1..=bars).map(current)).collect()
     }
 
-    /// A* nu x nu.
+    /// The vector A* nu x nu.
     pub fn tilt(&self) -> Vector3<Sym> {
         self.a_star.component_mul(&self.nu).cross(&self.nu)
     }
 
-    /// V*, as printed in (7.1).
+    /// V* as printed in (7.1).
     pub fn v_star(&self) -> Sym {
         self.quadratic(self.l)
     }
 
-    /// S*, as printed in (7.5).
+    /// S* as printed in (7.5).
     pub fn s_star(&self) -> Sym {
         self.quadratic(self.e)
     }
@@ -204,20 +205,20 @@ impl Letters {
         (a.y - a.z) * d.x * n.y * n.z + (a.z - a.x) * d.y * n.z * n.x + (a.x - a.y) * d.z * n.x * n.y
     }
 
-    /// Delta*, as printed in (7.1).
+    /// Delta* as printed in (7.1).
     pub fn delta_star(&self) -> Sym {
         let (a, n) = (self.a_star, self.nu);
         let term = |d: Sym, p: Sym, q: Sym| d.powi(2) * p.powi(2) * q.powi(2);
         term(a.y - a.z, n.y, n.z) + term(a.z - a.x, n.z, n.x) + term(a.x - a.y, n.x, n.y)
     }
 
-    /// Pi*, as printed in (7.6).
+    /// Pi* as printed in (7.6).
     pub fn pi_star(&self) -> Sym {
         let (e, u) = (self.e, self.l.cross(&self.nu));
         -(e.x * u.x) - e.y * u.y - e.z * u.z
     }
 
-    /// The left sides of (6.5), as printed.
+    /// The left-hand sides of (6.5) as printed.
     pub fn conditions(&self) -> Vector3<Sym> {
         let (a, n, w0) = (self.a_star, self.nu, self.omega0);
         let gyroscopic = self.axial * self.omega_field * w0;

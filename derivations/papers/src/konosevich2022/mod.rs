@@ -2,18 +2,19 @@
 //! Prikladnaya matematika i mekhanika 86 (2022), no. 6, 814-838 (in Russian).
 //!
 //! # Overview
-//! The paper's sections in order, each a file of claims. The left side of every claim is derived from the bodies'
-//! mass points or energies and from the motors' energies; the right side is the paper's.
+//! The paper's sections in order, each in a file of claims. The left-hand side of every claim is derived from mass
+//! points or energies of the bodies and from the energies of the motors; the right-hand side is that of the paper.
 //!
-//! Damaged in the text at hand, and restored here: the third of the relations (6.5) (cyclic permutation of the first
+//! Damaged in the available text and restored here: the third of the relations (6.5) (cyclic permutation of the first
 //! two); `S* != 0 identically` before and in statement 6 (a formula lost before a comma); the prime of A' in "the
 //! coefficient is written A'D" before (5.4); bold type of vectors throughout.
 //!
 //! # Key results
-//! Refuted as printed: the sign of the angular velocity in statement 3D; every direction (statement 3B), every
-//! axis of the cone (3C), every solution of (7.4) and (7.7) (statements 5 and 6) is an axis of rotation; the torque of
-//! any asynchronous motor is dissipative about its working speed; each of the relations (6.5) follows from the
-//! other two; D = 0 is excluded by definition. Each refutation has an exact gyrostat and a corrected statement.
+//! Refuted as printed: the sign of the angular velocity in statement 3D; the assertion that every direction (statement
+//! 3B), every axis of the cone (3C), every solution of (7.4) and (7.7) (statements 5 and 6) is an axis of rotation; the
+//! assertion that the torque of any asynchronous motor is dissipative near its working speed; the independence of the
+//! relations (6.5), each of which follows from the other two. D = 0 is excluded by definition. Each refutation has an
+//! exact gyrostat and a corrected statement.
 
 mod alphabet;
 mod beyond;
@@ -120,7 +121,7 @@ pub const PAPER: Paper = Paper {
     page,
 };
 
-/// The page of the paper.
+/// All claims of the paper.
 pub fn page() -> Page {
     let letters = Letters::default();
     let mut page = Page::of(PAPER.key, dimension);

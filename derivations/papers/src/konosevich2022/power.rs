@@ -1,4 +1,4 @@
-//! Beyond the paper: the power balance of every machine, and a Lyapunov function.
+//! Additional results: the power balance of every machine, and a Lyapunov function.
 
 use super::alphabet::{current, letter};
 use super::letters::Letters;
@@ -27,7 +27,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     every_machine(page, s);
 }
 
-/// dE/dt for the bodies, for the circuits, and together.
+/// Claims on dE/dt of the bodies, of the circuits, and of both together.
 fn power(page: &mut Page, s: &Letters) {
     let g = s.general();
     let moving = Vector3::from(along(s.w.into(), s.dw.into()));
@@ -91,7 +91,7 @@ fn circuits(page: &mut Page, s: &Letters) {
         ]);
 }
 
-/// dW/dt of W = E - W_field A' p' + c0 g with bars at any angles: d(A' p')/dt = M.
+/// The rate dW/dt of W = E - W_field A' p' + c0 g with bars at any angles, where d(A' p')/dt = M.
 fn falling(s: &Letters, bars: u32) -> Sym {
     let (moment, rates) = driven(s.motor(bars), s, &s.currents(bars));
     let speed = s.dgamma + s.omega_field;
@@ -102,7 +102,8 @@ fn falling(s: &Letters, bars: u32) -> Sym {
     moment * speed + stored.slope - s.omega_field * moment - friction(s.omega_field) * s.dgamma
 }
 
-/// The power balance for each motor model: M phi' and the rate of stored energy, against supply, law and heat.
+/// Claims on the power balance of each motor model: M phi' plus the rate of the stored energy equals supply, friction
+/// and heat.
 fn every_machine(page: &mut Page, s: &Letters) {
     let [k, f, pull_out, pull_out_slip] = ["k", "f", "Mk", "sk"].map(letter);
     let field_speed = s.omega_field;

@@ -1,6 +1,7 @@
-//! The relations (6.5) as vectors, for the statements of section 7.
+//! The relations (6.5) in vector form, for the statements of section 7.
 //!
-//! F = w0^2 G + A' W w0 u + Gamma n, with G = A*nu x nu, u = l x nu, n = e x nu; all three are orthogonal to nu, and
+//! F = w0^2 G + A' W w0 u + Gamma n with G = A*nu x nu, u = l x nu, n = e x nu; all three vectors are orthogonal to nu,
+//! and
 //! V* = l.G, S* = e.G, Pi* = nu.(l x e) = -e.u = l.n, Delta* = G.G.
 
 use super::alphabet::{cyclic, letter, one};
@@ -12,11 +13,11 @@ use symbolic::Sym;
 
 use Condition::{Equal, Zero};
 
-/// The relations (6.5) with their vectors.
+/// The relations (6.5) and their vectors.
 pub struct Relations {
-    /// F
+    /// The vector F.
     pub all: Vector3<Sym>,
-    /// F / w0 where Gamma = 0
+    /// The vector F / w0 for Gamma = 0.
     pub balanced: Vector3<Sym>,
     pub tilt: Vector3<Sym>,
     pub axis: Vector3<Sym>,
@@ -25,12 +26,12 @@ pub struct Relations {
     pub s: Sym,
     pub pi: Sym,
     pub delta: Sym,
-    /// A' W
+    /// The product A' W.
     pub spin: Sym,
 }
 
 impl Relations {
-    /// The relations in the paper's letters.
+    /// The relations in the paper's symbols.
     pub fn new(s: &Letters) -> Self {
         let spin = s.axial * s.omega_field;
         let (tilt, axis) = (s.tilt(), s.l.cross(&s.nu));
@@ -49,17 +50,17 @@ impl Relations {
     }
 }
 
-/// Three components that vanish.
+/// The condition that three components vanish.
 pub fn zeros(v: Vector3<Sym>) -> [Condition; 3] {
     [Zero(v.x), Zero(v.y), Zero(v.z)]
 }
 
-/// |nu| = 1, as a condition at a point.
+/// The condition |nu| = 1 at a point.
 pub fn unit(s: &Letters) -> [Condition; 1] {
     [Zero(s.nu.dot(&s.nu) - one())]
 }
 
-/// The three coefficients of a form in nu2 nu3, nu3 nu1, nu1 nu2, as second derivatives, and that there are no others.
+/// The conditions that a quadratic form has the three given coefficients of nu2 nu3, nu3 nu1, nu1 nu2, and no others.
 pub fn coefficients_of(s: &Letters, form: Sym, d: Vector3<Sym>) -> Vec<Condition> {
     let (a, n) = (s.a_star, s.nu);
     let coefficients = cyclic(|i, j, k| (a[j] - a[k]) * d[i]);
@@ -71,12 +72,12 @@ pub fn coefficients_of(s: &Letters, form: Sym, d: Vector3<Sym>) -> Vec<Condition
     mixed.chain(squares).collect()
 }
 
-/// Refutes "there is an angular velocity" at an example whose direction has none.
+/// Refutes "there is an angular velocity" by an example whose direction admits none.
 pub fn no_speed<'a>(draft: Draft<'a>, s: &Letters, f: &Relations, example: &Example) -> &'a mut Page {
     draft.without_root(zeros(f.all), s.omega0, example.point(s))
 }
 
-/// form(t nu) = t^degree form(nu).
+/// The condition form(t nu) = t^degree form(nu).
 pub fn scaling(s: &Letters, form: Sym, degree: i32) -> Condition {
     let t = letter("t");
     let scaled: Vec<(Sym, Sym)> = s.nu.iter().map(|&n| (n, t * n)).collect();

@@ -1,4 +1,4 @@
-//! Beyond the paper: equality of the equations of motion by four principles, in arbitrary axes.
+//! Additional results: the equations of motion by four principles are equal, in arbitrary axes.
 
 use super::alphabet::letter;
 use super::letters::Letters;
@@ -32,7 +32,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     lagrange(page, s);
 }
 
-/// Lagrange's equations in Euler's angles are W^T times the equations of the carrier.
+/// Claims: Lagrange's equations in Euler angles are W^T times the equations of the carrier.
 fn lagrange(page: &mut Page, s: &Letters) {
     let g = s.general();
     let angles = ["ψ", "θ", "φ", "φ′"].map(letter);

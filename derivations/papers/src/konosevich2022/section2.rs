@@ -1,4 +1,4 @@
-//! Section 2: the mechanical part. Angular momentum, the two inertia tensors, the rotor.
+//! Section 2: the mechanical part: angular momentum, the two inertia tensors, the rotor.
 
 use super::alphabet::{cyclic, letter, tensor, vector};
 use super::letters::Letters;
@@ -85,7 +85,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     rotor(page, s);
 }
 
-/// (2.8), and (2.8) without the terms in A'.
+/// Claims on (2.8), and on (2.8) without the terms in A'.
 fn components(page: &mut Page, s: &Letters, slug: &'static str, tensor: Matrix3<Sym>, axial: Sym) {
     let g = s.general();
     let (l, h, a0) = (s.l, s.h, g.carrier.inertia);
@@ -117,7 +117,7 @@ fn components(page: &mut Page, s: &Letters, slug: &'static str, tensor: Matrix3<
     }
 }
 
-/// (2.9) and (2.10), by two routes.
+/// Claims on (2.9) and (2.10), by two derivations.
 fn rotor(page: &mut Page, s: &Letters) {
     let g = s.general();
     let motion = s.motion();
@@ -143,7 +143,7 @@ fn rotor(page: &mut Page, s: &Letters) {
     }
 }
 
-/// Three components as lines.
+/// Three component formulas of a claim.
 pub fn formulas(names: Vector3<Sym>, derived: Vector3<Sym>, printed: Vector3<Sym>) -> Vec<Line> {
     (0..3).map(|i| Line::formula(derived[i], names[i], printed[i])).collect()
 }

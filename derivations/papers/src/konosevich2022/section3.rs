@@ -1,4 +1,4 @@
-//! Section 3: the motors. Torques and currents by Lagrange-Maxwell from the energies, and the statements on their signs.
+//! Section 3: the motors: torques and currents from the energies by Lagrange-Maxwell, and statements on their signs.
 
 use super::alphabet::{current, letter, number};
 use super::letters::Letters;
@@ -11,10 +11,10 @@ use motor::{Machine, RotorState, torque_and_current_rates};
 use num_traits::Zero;
 use symbolic::Sym;
 
-/// A machine with the paper's friction: an arbitrary law M2 of the relative speed.
+/// A machine with the paper's friction: an arbitrary function M2 of the relative speed.
 pub struct WithFriction<M> {
     pub machine: M,
-    /// M2(phi'), N m
+    /// The friction torque M2(phi'), N m.
     pub friction: Sym,
 }
 
@@ -54,12 +54,12 @@ pub fn driven<M: Machine<Sym>>(machine: M, s: &Letters, currents: &[Sym]) -> (Sy
     (moment, rates)
 }
 
-/// M2 as an arbitrary law.
+/// M2 as an arbitrary function of the speed.
 pub fn friction(speed: Sym) -> Sym {
     Sym::function("M2", speed)
 }
 
-/// dM2(g') = M2(g' + W) - M2(W), with c0 = -M2(W).
+/// The excess dM2(g') = M2(g' + W) - M2(W), where c0 = -M2(W).
 pub fn excess_friction(s: &Letters) -> Sym {
     friction(s.dgamma + s.omega_field) - friction(s.omega_field)
 }
@@ -86,7 +86,8 @@ fn currentless(page: &mut Page, s: &Letters) {
     .holds([Line::formula(moment, s.torque, excess_friction(s) - s.b0 * s.angle().sin - c0)]);
 }
 
-/// (3.2) and c0 > 0. A decreasing law has secants of negative slope: M2(u) - M2(v) = -kappa (u - v), kappa > 0.
+/// Claims on (3.2) and c0 > 0. A decreasing function has secants of negative slope: M2(u) - M2(v) = -kappa (u - v),
+/// kappa > 0.
 fn signs(page: &mut Page, s: &Letters) {
     let secant = letter("κ");
     page.claim(
@@ -110,7 +111,7 @@ fn signs(page: &mut Page, s: &Letters) {
     )]);
 }
 
-/// An expression in M2(g' + W) with the secant's M2(W) - kappa g' in its place.
+/// An expression with M2(g' + W) replaced by the secant M2(W) - kappa g'.
 pub fn decreasing(s: &Letters, e: Sym, secant: Sym) -> Sym {
     e.substitute(&[(friction(s.dgamma + s.omega_field), friction(s.omega_field) - secant * s.dgamma)])
 }
@@ -132,7 +133,7 @@ fn multi_current(page: &mut Page, s: &Letters, bars: u32, slug: &'static str) {
         .holds([Line::formula(moment, s.torque, printed)]);
 }
 
-/// The equations of the currents, the last of (3.3) and (4.7), compared with derived rates.
+/// The equations of the currents, the last of (3.3) and (4.7), with the derived rates.
 pub fn current_equations(s: &Letters, bars: u32, rates: &[Sym]) -> Vec<Line> {
     let gamma = s.angle();
     let line = |inductance: Sym, name: Sym, rate: Sym, right: Sym| {
@@ -148,7 +149,7 @@ pub fn current_equations(s: &Letters, bars: u32, rates: &[Sym]) -> Vec<Line> {
     lines
 }
 
-/// The claims about the asynchronous motor.
+/// Claims on the asynchronous motor.
 fn asynchronous(page: &mut Page, s: &Letters) {
     let [k, f, kappa] = ["k", "f", "κ"].map(letter);
     let omega = s.omega_field;
@@ -177,7 +178,7 @@ fn linear_moment(s: &Letters, speed: Sym) -> Sym {
     k * (s.omega_field - speed) - f * speed
 }
 
-/// The sign claim for torques that are not monotonic.
+/// Claims on the sign of torques that are not monotonic.
 fn kloss(page: &mut Page, s: &Letters) {
     let [pull_out, critical, f] = ["Mk", "sk", "f"].map(letter);
     let machine = Kloss { field_speed: s.omega_field, pull_out, pull_out_slip: critical, f };
@@ -194,7 +195,7 @@ fn kloss(page: &mut Page, s: &Letters) {
     .given([Condition::NonZero(s.dgamma)])
     .by_signs([Condition::Positive(-(s.dgamma * slip_moment(s.dgamma)))]);
 
-    // Speeds W/2, 2W/3, 5W/6 are all working speeds for s_k = 1/6, M_k = 5/6 f W.
+    // the speeds W/2, 2W/3, 5W/6 are working speeds for s_k = 1/6, M_k = 5/6 f W
     let working = number(1, 2) * omega;
     page.claim("section3-motors", "dissipative", r"$\dot\gamma M(\dot\gamma) < 0$ for all $\dot\gamma \neq 0$ about a working speed $\Omega'$ of any asynchronous motor, as judged for Kloss' motor with $\Omega' = \Omega/2$")
         .given([pull_out, critical, f, omega].map(Condition::Positive))
@@ -218,7 +219,7 @@ fn kloss(page: &mut Page, s: &Letters) {
     page.correct();
 }
 
-/// The paper's motor with the coupling constants given; for the remarks of section 6.
+/// The paper's motor with replaced coupling constants, for the remarks of section 6.
 pub fn motor_with(s: &Letters, bars: u32, replacements: &[(Sym, Sym)]) -> MultiCurrent<Sym> {
     let motor = s.motor(bars);
     MultiCurrent { windings: motor.windings.map(|p| p.substitute(replacements)), bars: motor.bars }

@@ -29,7 +29,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     solved(page, s);
 }
 
-/// (4.1) in arbitrary axes, from the mass points.
+/// Claims on (4.1) in arbitrary axes, from the mass points.
 fn momentum_theorem(page: &mut Page, s: &Letters) {
     let full = tensor("A⋆");
     let residual = s.with_reduced_tensor(full - s.l * s.l.transpose() * s.axial).by_momentum(&s.motion());
@@ -108,7 +108,7 @@ fn first_form(page: &mut Page, s: &Letters) {
         .holds([Line::equation(rotor, s.axial * s.ddgamma, right)]);
 }
 
-/// (4.6) from the constancy of the vertical in space, and once more from the rotation matrix of Euler's angles.
+/// Claims on (4.6) from the constancy of the vertical in space, and from the rotation matrix of Euler angles.
 fn kinematics(page: &mut Page, s: &Letters) {
     let (w, nu, dnu) = (s.w, s.nu, vector("ν̇"));
     let absolute = absolute_rate(Vector3::from_fn(|i, _| Tangent::moving(nu[i], dnu[i])), w);
@@ -129,7 +129,7 @@ fn kinematics(page: &mut Page, s: &Letters) {
         .follows((0..3).map(|i| Condition::Equal(moving[i].slope, right[i])));
 }
 
-/// (4.7): the currents of the motor inside the gyrostat, as the system of first-order equations runs them.
+/// Claims on (4.7): the currents of the motor in the gyrostat, as in the first-order equations that are integrated.
 fn currents(page: &mut Page, s: &Letters) {
     let bars = 3;
     let form = FirstForm::new(s.a, s.l, s.axial, s.e * s.big_gamma);
@@ -146,7 +146,7 @@ fn currents(page: &mut Page, s: &Letters) {
     .holds(current_equations(s, bars, &rates[mechanical.len()..]));
 }
 
-/// The accelerations of the code that runs satisfy the derived equations.
+/// Claims: the accelerations of the integrated equations satisfy the derived equations.
 fn solved(page: &mut Page, s: &Letters) {
     let g = s.in_axes_of_a();
     let form = FirstForm::new(s.a, s.l, s.axial, s.e * s.big_gamma);

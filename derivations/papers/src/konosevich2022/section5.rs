@@ -21,13 +21,13 @@ pub fn claims(page: &mut Page, s: &Letters) {
     agree(page, s);
 }
 
-/// D, as printed in (5.4).
+/// D as printed in (5.4).
 pub fn singularity(s: &Letters) -> Sym {
     let (a, l) = (s.a_star, s.l);
     one() - s.axial * l.x.powi(2) / a.x - s.axial * l.y.powi(2) / a.y - s.axial * l.z.powi(2) / a.z
 }
 
-/// The right sides of (5.2).
+/// The right-hand sides of (5.2).
 fn right(s: &Letters) -> Vector3<Sym> {
     let (a, w, l, nu, e) = (s.a_star, s.w, s.l, s.nu, s.e);
     cyclic(|_, j, k| {
@@ -69,7 +69,8 @@ fn second_form(page: &mut Page, s: &Letters) {
         .follows(g.by_momentum(&motion).map(Condition::Zero));
 }
 
-/// The accelerations of the carrier eliminated from the rotor's equation: derived from the mass points' equations.
+/// The rotor's equation after elimination of the carrier's accelerations, derived from the equations of the mass
+/// points.
 fn eliminated(s: &Letters) -> Sym {
     let [r1, r2, r3, rotor] = s.in_axes_of_a_star().by_momentum(&s.motion_from_field());
     let at_rest = s.dw.map(|dw| (dw, Sym::ZERO));
@@ -149,7 +150,7 @@ fn determinant_identity(page: &mut Page, s: &Letters) {
     .holds([Line::formula(determinant(&tensor), name, product * determinant(&scaled))]);
 }
 
-/// Zeros of D. D is invariant; the first axis is along l here, and A = C C^T with C upper triangular.
+/// Claims on the zeros of D. D is invariant; here the first axis is along l, and A = C C^T with C upper triangular.
 fn singular(page: &mut Page, s: &Letters) {
     let c = |index: &str| Sym::named(&format!("C{index}"), &format!("C_{{{index}}}"));
     let axial = s.axial;
@@ -210,7 +211,7 @@ fn rod(s: &Letters) -> Point {
     Point::of(components(s.l, rod.rotor.axis).chain(axial).chain(components(s.a_star, rod.full_tensor().diagonal())))
 }
 
-/// Both forms describe one motion: first with full tensors in common axes, then each in its own.
+/// Claims: both forms describe one motion; first with full tensors in common axes, then each in its own axes.
 fn agree(page: &mut Page, s: &Letters) {
     let tensor = tensor("A");
     let full = tensor + s.l * s.l.transpose() * s.axial;
@@ -233,7 +234,7 @@ fn agree(page: &mut Page, s: &Letters) {
     page.claim("forms-agree", "common-axes", "The second form minus the first form minus $l$ times the rotor's equation is zero, with full symmetric tensors in arbitrary common axes, all parameters and $M$ free")
         .follows(gap.iter().map(|&x| Condition::Zero(x)));
 
-    // own axes: the axes of A* are turned by R against those of A
+    // own axes: those of A* are rotated by R relative to those of A
     let q = ["q0", "q1", "q2", "q3"].map(letter);
     let norm = q.iter().fold(Sym::ZERO, |sum, &c| sum + c.powi(2));
     let turn = quaternion(q);
@@ -267,7 +268,8 @@ fn agree(page: &mut Page, s: &Letters) {
     explicit(page, s, tensor);
 }
 
-/// The accelerations of both forms, solved, are one rational function: full tensors, everything free.
+/// Claims: the solved accelerations of both forms are equal as rational functions, with full tensors and arbitrary
+/// data.
 fn explicit(page: &mut Page, s: &Letters, tensor: Matrix3<Sym>) {
     let full = tensor + s.l * s.l.transpose() * s.axial;
     let weight = s.e * s.big_gamma;

@@ -1,4 +1,4 @@
-//! Section 6: conditions for constant states to be motions.
+//! Section 6: conditions under which steady states are motions.
 
 use super::alphabet::{current, letter, number, one};
 use super::gyrostats;
@@ -22,7 +22,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     remarks(page, s);
 }
 
-/// (6.1): with g' = 0 and constant currents the windings' equations leave R i = 0.
+/// Claims on (6.1): for g' = 0 and constant currents the equations of the windings reduce to R i = 0.
 fn currents(page: &mut Page, s: &Letters) {
     let windings = [(letter("L1"), letter("R1"), letter("x")), (letter("L2"), letter("R2"), current(1))];
     let (_, rates) = driven(s.motor(1), s, &s.currents(1));
@@ -52,7 +52,7 @@ fn currents(page: &mut Page, s: &Letters) {
         .defines([]);
 }
 
-/// (6.3) and the two families of angles.
+/// Claims on (6.3) and the two families of angles.
 fn angles(page: &mut Page, s: &Letters) {
     let bars = 3;
     let zeros = vec![Sym::zero(); 1 + bars as usize];
@@ -73,7 +73,7 @@ fn angles(page: &mut Page, s: &Letters) {
             -s.torque,
         )]);
 
-    // the two families as circle points: cosine C > 0 and sine -r, and the point of -pi less it
+    // the two families as circle points: (C, -r) with the cosine C > 0, and its point at -pi minus the angle
     let (cosine, ratio) = (letter("C"), letter("r"));
     let first = Circle { cos: cosine, sin: -ratio };
     let half_turn = Circle { cos: number(-1, 1), sin: Sym::ZERO };
@@ -108,7 +108,7 @@ fn angles(page: &mut Page, s: &Letters) {
     )]);
 }
 
-/// (6.4), statement 1.
+/// Claims on (6.4) and statement 1.
 fn rotation_about_the_vertical(page: &mut Page, s: &Letters) {
     let (w, nu) = (s.w, s.nu);
     let turning = nu.cross(&w);
@@ -133,12 +133,12 @@ fn rotation_about_the_vertical(page: &mut Page, s: &Letters) {
         .under(&s.unit_axis)
         .follows([
             Condition::Zero((nu * s.omega0).dot(&(s.e.cross(&nu) * s.big_gamma))),
-            // the constant momentum precesses with w only as far as it is not vertical: its vertical part is constant
+            // the precession of the momentum with w leaves only its vertical component constant
             Condition::Zero(x.cross(&(nu * s.omega0)).dot(&nu)),
         ]);
 }
 
-/// (6.5) from the bodies, statement 2, remark 3.
+/// Claims on (6.5) from the bodies, statement 2 and remark 3.
 fn conditions(page: &mut Page, s: &Letters) {
     let g = s.in_axes_of_a_star();
     let residual = g.by_momentum(&s.stationary(s.omega_field, Sym::ZERO));
@@ -185,7 +185,7 @@ fn conditions(page: &mut Page, s: &Letters) {
     page.correct();
 }
 
-/// Remarks 1 and 2: the models without currents inside the one with them.
+/// Claims on remarks 1 and 2: models without currents as special cases of that with currents.
 fn remarks(page: &mut Page, s: &Letters) {
     let none = ["μ", "a1", "a2"].map(|name| (letter(name), Sym::ZERO));
     let bars = 3;
@@ -209,7 +209,7 @@ fn remarks(page: &mut Page, s: &Letters) {
     )
     .in_words()
     .follows([Condition::Equal(excess, excess_friction(s))]);
-    // a linear asynchronous motor about its working speed
+    // a linear asynchronous motor near its working speed
     let [k, f, working] = ["k", "f", "Ω′"].map(letter);
     let machine = Asynchronous { field_speed: s.omega_field, k, f };
     let slip = s.dgamma + working - machine.frame_speed();

@@ -1,4 +1,4 @@
-//! Section 7.1: statement 3, no weight (Gamma = 0), judged against the relations (6.5) themselves.
+//! Section 7.1: statement 3 without weight (Gamma = 0), judged by the relations (6.5).
 
 use super::alphabet::{cyclic, letter, one};
 use super::gyrostats;
@@ -149,7 +149,7 @@ fn statement3c(page: &mut Page, s: &Letters, f: &Relations) {
     page.correct();
 }
 
-/// Statements 3D and 3E.
+/// Claims on statements 3D and 3E.
 fn formula_for_w0(page: &mut Page, s: &Letters, f: &Relations) {
     let bracket = f.tilt.dot(&f.axis);
     let premises = || zeros(f.balanced).into_iter().chain([NonZero(f.delta), NonZero(s.omega0)]).collect::<Vec<_>>();
@@ -204,7 +204,7 @@ fn formula_for_w0(page: &mut Page, s: &Letters, f: &Relations) {
     .by_combination((0..3).map(|i| (Zero(f.axis[i]), vec![6], vec![(3 + i, one()), (i, -s.omega0)])));
 }
 
-/// The cone of Staude, from the same bodies without a rotor.
+/// Claims on the cone of Staude, from the bodies without a rotor.
 fn staude(page: &mut Page, s: &Letters) {
     let zero = Vector3::repeat(Sym::ZERO);
     let (mass, gravity) = (letter("m⁰"), letter("g"));

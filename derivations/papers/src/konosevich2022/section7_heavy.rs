@@ -1,5 +1,5 @@
-//! Section 7.2: statements 4 to 7 with weight (Gamma > 0), judged against the original relations (6.5) and not only against
-//! (7.4) and (7.7), which are derived from them.
+//! Section 7.2: statements 4 to 7 with weight (Gamma > 0), judged by the original relations (6.5), not only by the
+//! relations (7.4) and (7.7), which follow from them.
 
 use super::alphabet::{cyclic, letter, number, one};
 use super::gyrostats;
@@ -44,7 +44,7 @@ fn statement4(page: &mut Page, s: &Letters, f: &Relations) {
     .follows([Equal(s.e.dot(&s.nu).powi(2), one() - f.weight.dot(&f.weight))]);
 }
 
-/// (7.4) to (7.8).
+/// Claims on (7.4) to (7.8).
 fn relations(page: &mut Page, s: &Letters, f: &Relations) {
     let g = s.in_axes_of_a_star();
     let [x, y, z, _] = g.by_momentum(&s.stationary(s.omega_field, Sym::ZERO));
@@ -73,7 +73,7 @@ fn relations(page: &mut Page, s: &Letters, f: &Relations) {
     .follows(coefficients_of(s, f.s, s.e));
 }
 
-/// (7.4) and (7.7).
+/// The left-hand sides of (7.4) and (7.7).
 fn derived(s: &Letters, f: &Relations) -> [Sym; 2] {
     [s.omega0 * f.s - f.spin * f.pi, s.omega0.powi(2) * f.v + s.big_gamma * f.pi]
 }
@@ -270,7 +270,7 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
         .nonvanishing(f.v, -(f.spin.powi(2) * f.pi), vec![2, 1, 1], vec![(0, number(-1, 1))]);
 }
 
-/// The surface (7.11) and its cone.
+/// Claims on the surface (7.11) and its cone.
 fn degree(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "section7.2-degree",

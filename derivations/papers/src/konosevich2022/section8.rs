@@ -18,7 +18,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     free_rotor(page, s);
 }
 
-/// 8.1: the rotor with the prescribed relative speed W.
+/// Claims on 8.1: the rotor with the prescribed relative speed W.
 fn constant_speed(page: &mut Page, s: &Letters) {
     let g = s.in_axes_of_a_star();
     let motion = MotionInstant { rotor_speed: s.omega_field, rotor_acceleration: Sym::ZERO, ..s.motion() };
@@ -52,11 +52,11 @@ fn constant_speed(page: &mut Page, s: &Letters) {
     .follows((0..3).map(|i| Condition::Equal(-stationary[i], s.conditions()[i])));
 }
 
-/// 8.2: the free rotor, in both forms.
+/// Claims on 8.2: the free rotor, in both forms.
 fn free_rotor(page: &mut Page, s: &Letters) {
     let p = letter("p′");
     let rest = letter("Ω⁰");
-    // first form: the relative speed that goes with p'
+    // first form: the relative speed that corresponds to p'
     let first = s.in_axes_of_a();
     let free = MotionInstant {
         rotor_speed: p - s.w.dot(&s.l),
@@ -137,7 +137,7 @@ fn free_rotor(page: &mut Page, s: &Letters) {
         .follows(difference.iter().map(|&x| Condition::Zero(x)));
 }
 
-/// (A'p')' along the motion that runs with a free rotor.
+/// The rate (A'p')' along the integrated motion with a free rotor.
 fn spin_rate(form: impl Form<Sym>, s: &Letters) -> Sym {
     let driven = Driven::new(form, FreeRotor::default());
     let state = [s.w.x, s.w.y, s.w.z, s.nu.x, s.nu.y, s.nu.z, s.dphi];

@@ -1,13 +1,13 @@
-//! The paper's letters with their LaTeX and dimensions, and how symbols are made of them.
+//! The symbols of the paper with their LaTeX and dimensions.
 
 use super::alphabet3;
 use claims::alphabet::{Letter, read_by};
 use field::Scalar;
 use symbolic::{Hypotheses, Sym, normal};
 
-/// (name, LaTeX, exponents of kg, m, s). A `#` stands for an index 1 to 4, two for a pair of them.
+/// The symbols: name, LaTeX, exponents of kg, m, s. A `#` stands for an index 1 to 4, two for a pair of indices.
 const LETTERS: &[Letter<3>] = &[
-    // points, places, speeds
+    // points, coordinates, velocities
     ("m", "m", [1, 0, 0]),
     ("m#", "m_#", [1, 0, 0]),
     ("l", "l", [0, 1, 0]),
@@ -108,7 +108,8 @@ const LETTERS: &[Letter<3>] = &[
     ("yG", "y_G", [0, 1, 0]),
     ("ẍG", r"\ddot x_G", [0, 1, -2]),
     ("ÿG", r"\ddot y_G", [0, 1, -2]),
-    // the general theory: coordinates of the points by number, constraints by their derivatives at the place considered
+    // the general theory: coordinates of the points by number, constraints by their derivatives at the considered
+    // position
     ("X#", "X_#", [1, 1, -2]),
     ("μ#", r"\mu_#", [0, 1, -2]),
     ("u", "u", [1, 1, -2]),
@@ -156,7 +157,7 @@ read_by!(dimension, letter, letters, indexed; [LETTERS, alphabet3::LETTERS]);
 
 pub use claims::alphabet::exact;
 
-/// The expression in its normal form, for reading and for exact values; itself where that is too large.
+/// The expression in its normal form, for display and for exact values; unchanged where that is too large.
 pub fn tidy(expression: Sym) -> Sym {
     normal(expression, &Hypotheses::none()).map_or(expression, |form| form.to_sym())
 }

@@ -1,6 +1,6 @@
-//! The letters of chapter 3. Where chapters 1 and 2 use a letter for something else, its name here carries a mark.
+//! The symbols of chapter 3. A symbol that chapters 1 and 2 use with another meaning has a marked name here.
 
-/// (name, LaTeX, exponents of kg, m, s), as in the paper's first alphabet.
+/// The symbols: name, LaTeX, exponents of kg, m, s, as in the paper's first alphabet.
 pub const LETTERS: &[claims::alphabet::Letter<3>] = &[
     // governors
     ("J#", "J_#", [1, 2, 0]),
@@ -131,7 +131,7 @@ pub const LETTERS: &[claims::alphabet::Letter<3>] = &[
     ("p₁₁", "P_{11}", [0, 0, -1]),
     ("p₁₂", "P_{12}", [0, -1, -2]),
     ("p₁₃", "P_{13}", [0, -1, -1]),
-    // the criterion: V has no dimension
+    // the criterion: V is dimensionless
     ("q₁", "q_1", [0, 0, 1]),
     ("q₂", "q_2", [0, -2, 1]),
     ("q₃", "q_3", [0, -2, -1]),

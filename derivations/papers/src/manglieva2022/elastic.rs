@@ -1,4 +1,4 @@
-//! Chapter 3's governor with an elastic rim in the paper's letters: `systems/elastic_governor.rs` with symbols for data.
+//! Chapter 3's governor with an elastic rim in the paper's symbols: `systems/elastic_governor.rs` with symbolic data.
 
 use super::alphabet::{int, letter, letters, tidy};
 use field::Scalar;
@@ -8,13 +8,13 @@ use mechanics::constrained::{Charted, PointSystem, kinetic_energy};
 use symbolic::{Hypotheses, Sym};
 use systems::elastic_governor::ElasticGovernor;
 
-/// The reading of the signs of the rim's force and torque up to (3.22).
+/// The interpretation of the signs of the rim's force and torque up to (3.22).
 pub const AS_PRINTED: &str = r"The claim is judged with the printed force $+a\lambda$ and moment $+b\psi$. A rim that resists then has $a<0$, $b<0$. The printed $Z$ belongs to $-a\lambda$.";
 
-/// The reading of these signs from Z on.
+/// The interpretation of these signs from Z on.
 pub const AS_STIFFNESS: &str = r"The claim is judged for a rim that resists, with the force $-a\lambda$ and the moment $-b\psi$, $a>0$, $b>0$. The printed $Z$ belongs to it, the printed $+a\lambda$ of (3.17) does not.";
 
-/// The letters of the elastic governor; the paper's r1 is R, the radius of the drum.
+/// The symbols of the elastic governor; the paper's r1 is R, the radius of the drum.
 pub struct ElasticLetters {
     pub governor: ElasticGovernor<Sym>,
     pub inertia: [Sym; 3],
@@ -33,11 +33,11 @@ pub struct ElasticLetters {
     pub drill: Sym,
     pub alpha: Sym,
     pub beta: Sym,
-    /// omega1, x, x', lambda, psi
+    /// The state omega1, x, x', lambda, psi.
     pub state: [Sym; 5],
-    /// omega1', x''
+    /// The accelerations omega1', x''.
     pub rates: [Sym; 2],
-    /// Appell's equations of omega1 and x, left less right.
+    /// Appell's equations of omega1 and x: left-hand side minus right-hand side.
     pub balance: [Sym; 2],
 }
 
@@ -100,7 +100,7 @@ impl Default for ElasticLetters {
     }
 }
 
-/// The motion with the drum's direction on the axis.
+/// The motion at a position where the drum's direction is along the axis.
 fn motion(governor: &ElasticGovernor<Sym>, [speed, x, drift, lambda, psi]: [Sym; 5]) -> Motion<Sym, 12, 2> {
     let zero = Sym::ZERO;
     Motion::at(governor, zero, [zero, zero, zero, x, lambda, psi], [speed, drift])
@@ -111,12 +111,12 @@ impl ElasticLetters {
         motion(&self.governor, self.state)
     }
 
-    /// S = 1/2 sum m a^2, of discs, sleeve and balls.
+    /// The acceleration energy S = 1/2 sum m a^2 of discs, sleeve and balls.
     pub fn acceleration_energy(&self) -> Sym {
         kinetic_energy(self.governor.masses(), self.motion().acceleration(self.rates))
     }
 
-    /// phi2', lambda', psi' by the constraints.
+    /// The rates phi2', lambda', psi' by the constraints.
     pub fn rolling(&self) -> [Sym; 3] {
         let ([speed, x, drift, lambda, psi], zero) = (self.state, Sym::ZERO);
         let [_, second, _, _, across, turn] =
@@ -130,31 +130,31 @@ impl ElasticLetters {
         motion.generalised(self.governor.force(&motion.state))
     }
 
-    /// x - c, and 4 l^2 - x^2.
+    /// The lengths x - c and 4 l^2 - x^2.
     pub fn lengths(&self, x: Sym) -> [Sym; 2] {
         [x - self.offset, int(4) * self.link.squared() - x.squared()]
     }
 
-    /// theta(x) by the paper.
+    /// The moment of inertia theta(x) of the paper.
     pub fn theta(&self, x: Sym) -> Sym {
         let ([first, second, third], [rho, height]) = (self.inertia, self.lengths(x));
         let drum = self.drum.powi(2);
         second * drum / rho.powi(2) + first + third * drum / self.wheel.powi(2) + self.ball.half() * height
     }
 
-    /// F(x) with its sign: -(J2 R^2/(x - c)^3 + m_sp x).
+    /// The function F(x) with its sign: -(J2 R^2/(x - c)^3 + m_sp x).
     pub fn coupling(&self, x: Sym) -> Sym {
         let [rho, _] = self.lengths(x);
         -(self.inertia[1] * self.drum.powi(2) / rho.powi(3) + self.ball * x)
     }
 
-    /// m(x) with the mass m of the sleeve: m + 2 m_sp l^2/(4 l^2 - x^2).
+    /// The reduced mass m(x) with the mass m of the sleeve: m + 2 m_sp l^2/(4 l^2 - x^2).
     pub fn mobile(&self, x: Sym) -> Sym {
         let [_, height] = self.lengths(x);
         self.sleeve + int(2) * self.ball * self.link.powi(2) / height
     }
 
-    /// An expression at omega1 = omega_0, x = x_0, all else at rest.
+    /// An expression at the steady motion: omega1 = omega_0, x = x_0, everything else zero.
     pub fn stationary(&self, expression: Sym) -> Sym {
         let ([w, x, drift, lambda, psi], [spin, push]) = (self.state, self.rates);
         let zero = Sym::ZERO;
@@ -162,8 +162,8 @@ impl ElasticLetters {
         tidy(expression.substitute(&rest).substitute(&[(w, letter("ω₀")), (x, self.rest)]))
     }
 
-    /// The two equations and the two constraints of the rim, linear about the stationary motion: the coefficients of
-    /// omega1', x', lambda, psi as polynomials in mu, by differentiation.
+    /// The two equations of motion and the two constraints of the rim, linearised at the steady motion: the
+    /// coefficients of omega1', x', lambda, psi as polynomials in mu, by differentiation.
     pub fn characteristic_matrix(&self) -> [[Sym; 4]; 4] {
         let ([w, x, drift, lambda, psi], [spin, push]) = (self.state, self.rates);
         let [_, across, turn] = self.rolling();
@@ -173,24 +173,24 @@ impl ElasticLetters {
             let of = |variable: Sym| self.stationary(equation.diff(variable));
             [of(spin) * mu + of(w), of(push) * mu.powi(2) + of(drift) * mu + of(x), of(lambda), of(psi)]
         });
-        // the rim's equations are given by the rates: x' - ... - lambda' = 0 and psi' - ... = 0
+        // the rim's equations are given by rates: x' - ... - lambda' = 0 and psi' - ... = 0
         matrix[2][2] -= mu;
         matrix[3] = matrix[3].map(|entry| -entry);
         matrix[3][3] += mu;
         matrix
     }
 
-    /// The values of the named letters at the stationary motion, with d = -b as (3.17) prints it.
+    /// The values of the given symbols at the steady motion, with d = -b as printed in (3.17).
     pub fn names(&self, wanted: &[&str]) -> Hypotheses {
         self.named(wanted, Hypotheses::none().given(self.drill, -self.b))
     }
 
-    /// The values for a rim that resists, whose torque on the disc is b psi.
+    /// The values of the given symbols for a resisting rim, whose torque on the disc is b psi.
     pub fn names_of_stiffness(&self, wanted: &[&str]) -> Hypotheses {
         self.named(wanted, Hypotheses::none())
     }
 
-    /// An expression by (3.17), with the signs of a rim that resists: -a lambda, -b psi, and b psi on the disc.
+    /// An expression of (3.17) with the signs of a resisting rim: -a lambda, -b psi, and b psi on the disc.
     pub fn resisting(&self, expression: Sym) -> Sym {
         tidy(expression.substitute(&[(self.drill, -self.b)]).substitute(&[(self.a, -self.a), (self.b, -self.b)]))
     }

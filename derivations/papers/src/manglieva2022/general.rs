@@ -1,8 +1,8 @@
-//! The general theory's systems: coordinates with masses under constraints that are arbitrary to the second order.
+//! The systems of the general theory: coordinates with masses, under constraints that are arbitrary to second order.
 //!
-//! At a place, taken as the origin, the equations of motion depend on a constraint by its derivatives to the second
-//! order, on a kinematic one by those to the first: these are symbols. A proof for them holds for every smooth
-//! constraint whose gradient allows it to be solved for the named coordinate.
+//! At a position, taken as the origin, the equations of motion depend on a geometric constraint through its derivatives
+//! up to second order, and on a kinematic one through those of first order. These derivatives are symbols. A proof for
+//! them is valid for every smooth constraint whose gradient allows it to be solved for the given coordinate.
 
 use super::alphabet::{indexed, letter};
 use field::{Analytic, Over};
@@ -13,15 +13,15 @@ use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, Stat
 use mechanics::definite::NotDefinite;
 use symbolic::Sym;
 
-/// Three coordinates and f(x, t) = 0, in implicit form.
+/// Three coordinates and the implicit constraint f(x, t) = 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface;
 
-/// Three coordinates and x1 = F(x2, x3, t).
+/// Three coordinates and the explicit constraint x1 = F(x2, x3, t).
 #[derive(Clone, Copy, Debug)]
 pub struct Resolved;
 
-/// Four coordinates, x1 = F(x2, x3, x4, t) and the velocity x2' = Phi(x, x3', x4', t), nonlinear.
+/// Four coordinates with x1 = F(x2, x3, x4, t) and the nonlinear velocity constraint x2' = Phi(x, x3', x4', t).
 #[derive(Clone, Copy, Debug)]
 pub struct Mixed;
 
@@ -29,7 +29,7 @@ fn lifted<S: Over<Sym>, const N: usize>(pattern: &str) -> [S; N] {
     indexed(pattern).map(S::lift)
 }
 
-/// The function with these first and second derivatives at the origin, by the letter of its name.
+/// A function with symbolic first and second derivatives at the origin, named after it.
 fn to_second_order<S: Over<Sym>, const N: usize>(name: &str, numbers: [usize; N], time: S, x: [S; N]) -> S {
     let named = |suffix: String| S::lift(letter(&format!("{name}{suffix}")));
     let mut sum = named("t".into()) * time + (named("tt".into()) * time * time).half();
@@ -85,7 +85,7 @@ impl Charted<3, 2, 2> for Resolved {
     }
 }
 
-/// Phi: quadratic in the velocities, linear in the rest.
+/// The function Phi: quadratic in the velocities, linear in all else.
 fn steering<S: Over<Sym>>(time: S, x: [S; 4], v: [S; 2]) -> S {
     let named = |name: &str| S::lift(letter(name));
     let places: [S; 4] = lifted("Φx#");
@@ -108,7 +108,7 @@ impl Constrained<4, 2> for Mixed {
     }
 }
 
-/// q = (x2, x3, x4), p = (x3', x4').
+/// The chart q = (x2, x3, x4), p = (x3', x4').
 impl Charted<4, 3, 2> for Mixed {
     fn place<S: Over<Sym> + Analytic>(&self, time: S, q: [S; 3]) -> [S; 4] {
         [to_second_order("F", [2, 3, 4], time, q), q[0], q[1], q[2]]
@@ -119,32 +119,33 @@ impl Charted<4, 3, 2> for Mixed {
     }
 }
 
-/// The resolved surface at the origin, with q' by the letters x2', x3'.
+/// The motion on the explicit surface at the origin, with the symbols x2', x3' as velocities.
 pub fn on_surface() -> Motion<Sym, 3, 2> {
     let [_, v2, v3] = indexed("ẋ#");
     Motion::at(&Resolved, Sym::ZERO, [Sym::ZERO; 2], [v2, v3])
 }
 
-/// The mixed system at the origin, with p by the letters x3', x4'.
+/// The motion of the mixed system at the origin, with the symbols x3', x4' as p.
 pub fn mixed() -> Motion<Sym, 4, 2> {
     let [_, _, v3, v4] = indexed("ẋ#");
     Motion::at(&Mixed, Sym::ZERO, [Sym::ZERO; 3], [v3, v4])
 }
 
-/// Friction after the extended method: m times a combination of the fields by the letters mu_1, mu_2.
+/// Friction by the extended method: m times the combination of the fields with the symbols mu_1, mu_2.
 pub fn friction<const N: usize>(fields: [[Sym; N]; 2]) -> [Sym; N] {
     let masses: [Sym; N] = indexed("m#");
     let [mu1, mu2] = indexed("μ#");
     std::array::from_fn(|i| masses[i] * (mu1 * fields[0][i] + mu2 * fields[1][i]))
 }
 
-/// The given forces and friction together.
+/// The sum of the given forces and friction.
 pub fn with_friction<const N: usize>(fields: [[Sym; N]; 2]) -> [Sym; N] {
     let (given, friction): ([Sym; N], _) = (indexed("X#"), friction(fields));
     std::array::from_fn(|i| given[i] + friction[i])
 }
 
-/// Lagrange's equations of the first kind under a force.
+/// Accelerations and multipliers by Lagrange's equations of the first kind under a force; undefined if they cannot be
+/// solved.
 pub fn first_kind<Q: Constrained<N, C, Given = Sym>, const N: usize, const C: usize>(
     system: &Q,
     at: &State<Sym, N>,
@@ -154,12 +155,12 @@ pub fn first_kind<Q: Constrained<N, C, Given = Sym>, const N: usize, const C: us
     multipliers(system, at, force).unwrap_or(undefined)
 }
 
-/// sum of a_i b_i
+/// The scalar product of a and b.
 pub fn dot<const N: usize>(a: [Sym; N], b: [Sym; N]) -> Sym {
     (0..N).fold(Sym::ZERO, |sum, i| sum + a[i] * b[i])
 }
 
-/// The parts of a reaction; the elimination meets no zero pivot, since the rows are independent.
+/// The parts of a reaction; undefined in case of a zero pivot, which cannot occur for independent rows.
 pub fn or_undefined<const N: usize, const C: usize>(
     combined: Result<Combined<Sym, N, C>, NotDefinite>,
 ) -> Combined<Sym, N, C> {

@@ -1,4 +1,4 @@
-//! Chapter 3's governors with a rigid wheel in the paper's letters: `systems/governor` with every datum a symbol.
+//! Chapter 3's governors with a rigid wheel in the paper's symbols: `systems/governor` with symbolic data.
 
 use super::alphabet::{letter, letters, tidy};
 use claims::Condition;
@@ -8,7 +8,7 @@ use mechanics::constrained::{PointSystem, State, kinetic_energy};
 use symbolic::{Hypotheses, Sym};
 use systems::governor::{Gearing, Governor, Torque};
 
-/// The letters of sections 3.1 and 3.2 and a governor written in them.
+/// The symbols of sections 3.1 and 3.2, and a governor in these symbols.
 pub struct GovernorLetters {
     pub governor: Governor<Sym>,
     pub first: Sym,
@@ -30,7 +30,7 @@ pub struct GovernorLetters {
 }
 
 impl GovernorLetters {
-    /// The governor with a drum, of section 3.1.
+    /// The governor with a drum (section 3.1).
     pub fn with_drum() -> Self {
         Self::new(|drum, _| Gearing::Drum { radius: drum })
     }
@@ -76,13 +76,13 @@ impl GovernorLetters {
         }
     }
 
-    /// The motion at (rho, omega2, rho'), with the discs' directions on the axes.
+    /// The motion at (rho, omega2, rho'), at a position where the discs' directions are along the axes.
     pub fn motion(&self) -> Motion<Sym, 7, 2> {
         let zero = Sym::ZERO;
         Motion::at(&self.governor, zero, [zero, zero, zero, self.rho], [self.speed, self.drho])
     }
 
-    /// Three bodies turning at any speeds, in any directions.
+    /// The state of three bodies with any angular velocities and directions.
     pub fn turning(&self, speeds: [Sym; 3]) -> State<Sym, 7> {
         let [first, second, wheel] = letters(["α", "θ", "φ"]).map(Analytic::circle);
         let [w1, w2, w] = speeds;
@@ -106,33 +106,33 @@ impl GovernorLetters {
         self.motion().acceleration([self.dspeed, self.ddrho])
     }
 
-    /// S = 1/2 sum m x''^2, from the bodies.
+    /// The acceleration energy S = 1/2 sum m x''^2 of the bodies.
     pub fn acceleration_energy(&self) -> Sym {
         tidy(kinetic_energy(self.governor.masses(), self.acceleration()))
     }
 
-    /// Angular velocities and accelerations of first disc, second disc and wheel: along their tangents.
+    /// The angular velocities and accelerations of first disc, second disc and wheel.
     pub fn spins(&self) -> [[Sym; 2]; 3] {
         let (velocity, acceleration) = (self.motion().state.velocity, self.acceleration());
         [1, 3, 5].map(|tangent| [velocity[tangent], acceleration[tangent]])
     }
 
-    /// dS'/dp' - Q' of omega2 and of rho.
+    /// The residuals dS'/dp' - Q' of omega2 and of rho.
     pub fn balance(&self) -> [Sym; 2] {
         self.governor.balance(Sym::ZERO, self.rho, [self.speed, self.drho], [self.dspeed, self.ddrho]).map(tidy)
     }
 
-    /// dS'/dp' - Q' at the prescribed speed, omega2' = 0.
+    /// The residuals dS'/dp' - Q' at the prescribed speed, omega2' = 0.
     pub fn kept(&self) -> [Sym; 2] {
         self.balance().map(|side| tidy(side.substitute(&[(self.dspeed, Sym::ZERO)])))
     }
 
-    /// n = J1/R^2 + J/r^2.
+    /// The coefficient n = J1/R^2 + J/r^2.
     pub fn reduced(&self) -> Sym {
         self.first / self.drum.powi(2) + self.wheel / self.radius.powi(2)
     }
 
-    /// k, k1, k2 by (3.4).
+    /// The values of k, k1, k2 by (3.4).
     pub fn names(&self) -> Hypotheses {
         let [k, k1, k2] = letters(["k", "k₁", "k₂"]);
         let square = self.radius.squared();
@@ -142,7 +142,7 @@ impl GovernorLetters {
             .given(k2, square * self.m1 / self.drum)
     }
 
-    /// Dimensions and inertia of a real governor.
+    /// The conditions that lengths and inertias of the governor are positive.
     pub fn real(&self) -> [Condition; 6] {
         [self.first, self.second, self.wheel, self.mass, self.drum, self.radius].map(Condition::Positive)
     }

@@ -1,4 +1,4 @@
-//! Task 2's ladder in the paper's letters: the system of `systems/ladder.rs` with every datum a symbol.
+//! Task 2's ladder in the paper's symbols: the system of `systems/ladder.rs` with symbolic data.
 
 use super::alphabet::{letter, letters, tidy};
 use field::{Analytic, Circle, Scalar};
@@ -9,7 +9,7 @@ use mechanics::differentiate::{along, fixed, unit};
 use symbolic::Sym;
 use systems::ladder::{Ladder, LeaningLadder};
 
-/// The letters of task 2 and the ladder written in them. In the coordinates (x, y, c, s) of its centre and direction.
+/// The symbols of task 2 and the ladder in these symbols, in the coordinates (x, y, c, s) of its centre and direction.
 pub struct LadderLetters {
     pub ladder: LeaningLadder<Sym>,
     pub m: Sym,
@@ -24,7 +24,7 @@ pub struct LadderLetters {
     pub ddalpha: Sym,
 }
 
-/// The symbols, made in the calling thread.
+/// The symbols, created in the calling thread.
 impl Default for LadderLetters {
     fn default() -> Self {
         let [m, inertia, l, g, at_wall, at_floor] = letters(["m", "J", "l", "g", "fA", "fB"]);
@@ -46,7 +46,7 @@ impl Default for LadderLetters {
     }
 }
 
-/// The generalised forces of a unit of each reaction: normal and tangential, at the wall and at the floor.
+/// The forces of unit reactions in the coordinates: normal and tangential, at the wall and at the floor.
 #[derive(Clone, Copy, Debug)]
 pub struct Pushes {
     pub normal: [[Sym; 4]; 2],
@@ -59,7 +59,7 @@ impl LadderLetters {
         Motion::at(&self.ladder, Sym::ZERO, [self.alpha], [self.dalpha])
     }
 
-    /// The gradients of gap and place of each contact.
+    /// The gradients of gap and position along the curve for each contact.
     pub fn pushes(&self) -> Pushes {
         let place = self.motion().state.place;
         let mut pushes = Pushes { normal: [[Sym::ZERO; 4]; 2], tangential: [[Sym::ZERO; 4]; 2] };
@@ -73,7 +73,7 @@ impl LadderLetters {
         pushes
     }
 
-    /// The forces of normal reactions and of friction, which the paper counts upwards at A and towards O at B.
+    /// The forces of normal reactions and friction. The paper counts friction positive upwards at A and towards O at B.
     pub fn reactions(&self, normal: [Sym; 2], friction: [Sym; 2]) -> [Sym; 4] {
         let Pushes { normal: across, tangential } = self.pushes();
         std::array::from_fn(|i| {
@@ -82,13 +82,13 @@ impl LadderLetters {
         })
     }
 
-    /// m x'' - X - reactions in each coordinate; rigidity balances the last two.
+    /// The residuals m x'' - X - reactions in each coordinate; rigidity balances the last two.
     pub fn newton(&self, acceleration: [Sym; 4], reactions: [Sym; 4]) -> [Sym; 4] {
         let (masses, weight): ([Sym; 4], [Sym; 4]) = (self.ladder.masses(), self.ladder.force(&self.motion().state));
         std::array::from_fn(|i| masses[i] * acceleration[i] - weight[i] - reactions[i])
     }
 
-    /// The accelerations of the coordinates at alpha''.
+    /// The accelerations of the coordinates for alpha''.
     pub fn turning(&self) -> [Sym; 4] {
         self.motion().acceleration([self.ddalpha])
     }
@@ -98,7 +98,7 @@ impl LadderLetters {
         self.normal_reactions_at(self.turning())
     }
 
-    /// The normal reactions at given accelerations of the coordinates.
+    /// The normal reactions for given accelerations of the coordinates.
     pub fn normal_reactions_at(&self, acceleration: [Sym; 4]) -> [Sym; 2] {
         let Pushes { normal, tangential } = self.pushes();
         let missing = self.newton(acceleration, [Sym::ZERO; 4]);
@@ -110,25 +110,25 @@ impl LadderLetters {
         [(missing[0] * b[1] - missing[1] * b[0]) / det, (a[0] * missing[1] - a[1] * missing[0]) / det].map(tidy)
     }
 
-    /// The friction that goes with normal reactions.
+    /// The forces of normal reactions with sliding friction.
     pub fn sliding(&self, [wall, floor]: [Sym; 2]) -> [Sym; 4] {
         self.reactions([wall, floor], [self.at_wall * wall, self.at_floor * floor])
     }
 
-    /// The residual of the equation of motion along the chart with sliding friction at both ends.
+    /// The residual of the equation of motion along the chart, with sliding friction at both ends.
     pub fn balance(&self) -> Sym {
         let [balance] = self.motion().generalised(self.newton(self.turning(), self.sliding(self.normal_reactions())));
         balance
     }
 
-    /// alpha'' by the equation of motion, which is linear in it.
+    /// The acceleration alpha'' by the equation of motion, which is linear in it.
     pub fn acceleration(&self) -> Sym {
         let balance = self.balance();
         let still = balance.substitute(&[(self.ddalpha, Sym::ZERO)]);
         tidy(-(still / tidy(balance.diff(self.ddalpha))))
     }
 
-    /// An expression for the uniform ladder with the same friction f at both ends.
+    /// An expression for the uniform ladder with a common friction coefficient f.
     pub fn uniform(&self, expression: Sym) -> Sym {
         let f = letter("f");
         let third = self.m * self.l.powi(2) / Sym::int(3);

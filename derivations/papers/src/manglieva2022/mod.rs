@@ -2,33 +2,35 @@
 //! Novateur Publication, 2022 (a monograph, in Russian).
 //!
 //! # Overview
-//! The monograph's paragraphs in order, each a file of claims or several. The left side of every claim is derived from the
-//! descriptions of the rod, of the steered rod, of the ladder and of the governors in `systems/`, as masses, constraints, contacts and
-//! charts, by the principles over them; the right side is the paper's. Where the paper speaks of any system, the claims are
-//! proved for constraints that are arbitrary to the second order, in three or four coordinates with masses of their own
+//! The monograph's paragraphs in order, each in one or several files of claims. The left-hand side of every claim is
+//! derived from the rod, the steered rod, the ladder and the governors in `systems/`, given by masses, constraints,
+//! contacts and charts. The right-hand side is that of the paper. Where the paper treats an arbitrary system, the
+//! claims are proved for constraints that are arbitrary to second order, in three or four coordinates with masses
 //! (`general.rs`).
 //!
-//! Coordinates y of sections 1.1 and 1.3 (task 1) point downwards: a floor that pushes makes R_y and lambda negative. The
-//! signs of the paper's laws of friction are those of the opposite axis.
+//! The coordinates y of sections 1.1 and 1.3 (task 1) point downwards: a supporting floor makes R_y and lambda
+//! negative. The signs of the paper's laws of friction belong to the opposite axis.
 //!
-//! The text at hand is damaged in places. A formula whose letters all mean something is judged as printed, lost dots,
-//! factors and signs included, and its correction restores them: (2.18), (3.3), (3.14), (3.25). A letter that means nothing
-//! where it stands is restored: m2 for m1 in (1.4); the index of y1 in (1.24); m2 in the weight's force before (1.94); g^2
-//! for 2g and the index of alpha_0 in (1.109); delta x for the printed delta x' in (2.3); J3 for J2 in (3.28); u1 for n1 in
-//! (3.36). Where the text allows two readings both are named: the side from which a guide pushes, the sign of the rim's
-//! force. Every row concerned says so in its `reading`.
+//! The available text is damaged in places. A formula whose symbols are all meaningful is judged as printed, including
+//! lost dots, factors and signs, and its correction restores them: (2.18), (3.3), (3.14), (3.25). A symbol without
+//! meaning in its place is restored: m2 for m1 in (1.4); the index of y1 in (1.24); m2 in the weight before (1.94); g^2
+//! for 2g and the index of alpha_0 in (1.109); delta x for the printed delta x' in (2.3); J3 for J2 in (3.28); u1 for
+//! n1 in (3.36). Where the text allows two interpretations both are given: the side from which a guide pushes, the sign
+//! of the rim's force. Every affected row states this in its `reading`.
 //!
 //! # Key results
-//! With the extended method the forces of constraint are indeed free of friction, for all masses, nonholonomic systems
-//! included, and Gauss' principle holds even where friction depends on the accelerations. The normal reactions of rough
-//! curves are another thing, and do depend on friction. The laws (1.22), (1.23), (1.40), (1.82) push along the velocity on
-//! a floor; the motion of the steered rod as a Lagrange equation, (1.95), (1.96), (1.99), loses the friction at its second
-//! point, while (1.98) is right; the ladder leaves the wall at cos alpha = 2/3 cos alpha_0, not at twice it.
+//! With the extended method the constraint forces are indeed independent of friction, for all masses and also for
+//! nonholonomic systems, and Gauss' principle holds even if friction depends on the accelerations. The normal reactions
+//! of rough curves are different from these forces, and do depend on friction. The laws (1.22), (1.23), (1.40), (1.82)
+//! give friction in the direction of the velocity on a floor. Lagrange's equation of the steered rod, (1.95), (1.96),
+//! (1.99), loses the friction at its second point, while (1.98) is correct. The ladder leaves the wall at cos alpha =
+//! 2/3 cos alpha_0, not at twice that value.
 //!
-//! For the friction governors of chapter 3 the programme and its quadrature are right. Friction has the wrong sign in the
-//! force that keeps the speed, and the second governor moves the other way. Two of the six coefficients of the rim's characteristic
-//! polynomial are right, read with the sign of the rim's force in Z; (3.17) has the other sign, with which no motion with positive
-//! data is stable at a prescribed speed. Controllability is J2 M1/R != n rho M2, not rho' != 0; Riccati's equation needs a final condition.
+//! For the friction governors of chapter 3 the programme and its quadrature are correct. Friction has the wrong sign in
+//! the force that maintains the speed, and the second governor moves in the opposite direction. Two of the six
+//! coefficients of the rim's characteristic polynomial are correct, if the sign of the rim's force is that in Z; (3.17)
+//! has the other sign, with which no motion with positive data is stable at a prescribed speed. The condition of
+//! controllability is J2 M1/R != n rho M2, not rho' != 0. Riccati's equation needs a final condition.
 
 mod alphabet;
 mod alphabet3;
@@ -272,7 +274,7 @@ pub const PAPER: Paper = Paper {
     page,
 };
 
-/// The page of the paper.
+/// All claims of the paper.
 pub fn page() -> Page {
     let mut page = Page::of(PAPER.key, dimension);
     let rod = RodLetters::default();
@@ -298,7 +300,7 @@ pub fn page() -> Page {
     page
 }
 
-/// The friction governors.
+/// The claims on the friction governors.
 fn chapter3(page: &mut Page) {
     let drum = GovernorLetters::with_drum();
     section31_equations::claims(page, &drum);

@@ -1,4 +1,4 @@
-//! Section 3.2's released governor in the paper's letters: its linearisation and its optimal regulator.
+//! Section 3.2's released governor in the paper's symbols: its linearisation and its optimal regulator.
 
 use super::alphabet::{letter, letters, tidy};
 use super::governor::GovernorLetters;
@@ -6,20 +6,20 @@ use mechanics::bellman::Regulator;
 use symbolic::{Hypotheses, Sym};
 use systems::governor::released::LinearisedEquations;
 
-/// The released governor about its programme.
+/// The released governor near its programmed motion.
 pub struct ReleasedLetters {
     pub drum: GovernorLetters,
-    /// x' = A x + b u1 of x = (zeta, rho', z), with M2 expressed by the programme's rho'
+    /// The equations x' = A x + b u1 of x = (zeta, rho', z), with M2 expressed by the programmed rho'.
     pub linear: LinearisedEquations<Sym>,
     pub rho: Sym,
     pub drho: Sym,
     pub n: Sym,
-    /// (zeta, rho', z)
+    /// The deviation (zeta, rho', z).
     pub deviation: [Sym; 3],
     pub control: Sym,
-    /// V's matrix in the paper's letters: C22 belongs to z, C33 to rho'
+    /// The matrix of V in the paper's symbols: C22 belongs to z, C33 to rho'.
     pub value: [[Sym; 3]; 3],
-    /// q1 of zeta, q2 of z, q3 of rho', s of u1: the criterion's units
+    /// The weights q1 of zeta, q2 of z, q3 of rho', s of u1, which represent the units of the criterion.
     pub weights: [Sym; 4],
 }
 
@@ -53,29 +53,29 @@ impl Default for ReleasedLetters {
 }
 
 impl ReleasedLetters {
-    /// n = J1/R^2 + J/r^2.
+    /// The value n = J1/R^2 + J/r^2.
     pub fn names(&self) -> Hypotheses {
         Hypotheses::none().given(self.n, self.drum.reduced())
     }
 
-    /// n rho_0^2 + J2.
+    /// The inertia n rho_0^2 + J2.
     pub fn inertia(&self) -> Sym {
         self.n * self.rho.powi(2) + self.drum.second
     }
 
-    /// S1 = M1/R - n omega2 rho_0'.
+    /// The coefficient S1 = M1/R - n omega2 rho_0'.
     pub fn slope(&self) -> Sym {
         self.drum.m1 / self.drum.drum - self.n * self.drum.speed * self.drho
     }
 
-    /// d/dt along the programme of an expression in rho_0, rho_0', M1.
+    /// The derivative d/dt along the programmed motion of an expression in rho_0, rho_0', M1.
     pub fn along_programme(&self, expression: Sym) -> Sym {
         let [second, growth] = letters(["ϱ̈₀", "Ṁ1"]);
         let moving = [(self.rho, self.drho), (self.drho, second), (self.drum.m1, growth)];
         tidy(moving.iter().fold(Sym::ZERO, |sum, (of, rate)| sum + expression.diff(*of) * *rate))
     }
 
-    /// L1 = b and L_(k+1) = dL_k/dt - P L_k.
+    /// Krasovskii's vectors L1 = b and L_(k+1) = dL_k/dt - P L_k.
     pub fn krasovskii(&self) -> [[Sym; 3]; 3] {
         let next = |column: [Sym; 3]| -> [Sym; 3] {
             let turned = self.linear.apply(column);
@@ -86,7 +86,7 @@ impl ReleasedLetters {
         [first, second, next(second)]
     }
 
-    /// The regulator of the criterion with its units.
+    /// The regulator of the criterion with its units as weights.
     pub fn regulator(&self) -> Regulator<Sym, 3> {
         let [of_speed, of_drift, of_place, price] = self.weights;
         Regulator {
@@ -97,7 +97,7 @@ impl ReleasedLetters {
         }
     }
 
-    /// n1 = n/(n rho_0^2 + J2), S1' = S1/(n rho_0^2 + J2), and n.
+    /// The values n1 = n/(n rho_0^2 + J2), S1' = S1/(n rho_0^2 + J2), and n.
     pub fn normal_names(&self) -> Hypotheses {
         let inertia = self.drum.reduced() * self.rho.powi(2) + self.drum.second;
         let slope = self.drum.m1 / self.drum.drum - self.drum.reduced() * self.drum.speed * self.drho;

@@ -1,4 +1,4 @@
-//! Section 1.1's rod in the paper's letters: the system of `systems/rod.rs` with every datum a symbol.
+//! Section 1.1's rod in the paper's symbols: the system of `systems/rod.rs` with symbolic data.
 
 use super::alphabet::{letter, letters, tidy};
 use super::general::or_undefined;
@@ -12,7 +12,7 @@ use mechanics::constrained::{Charted, PointSystem, State};
 use symbolic::Sym;
 use systems::rod::{GuidedRod, Rod};
 
-/// The letters of section 1.1 and the rod written in them. In the coordinates (x, y, x1, y1); y points downwards.
+/// The symbols of section 1.1 and the rod in these symbols, in the coordinates (x, y, x1, y1); y points downwards.
 pub struct RodLetters {
     pub rod: GuidedRod<Sym>,
     pub m: Sym,
@@ -32,7 +32,7 @@ pub struct RodLetters {
     pub mu: Sym,
 }
 
-/// The rod with the guide taken away: q = (x, y, theta), p = q'.
+/// The rod without its guide: q = (x, y, theta), p = q'.
 #[derive(Clone, Copy, Debug)]
 pub struct Released(pub Rod<Sym>);
 
@@ -59,7 +59,7 @@ impl Charted<4, 3, 3> for Released {
     }
 }
 
-/// The symbols, made in the calling thread.
+/// The symbols, created in the calling thread.
 impl Default for RodLetters {
     fn default() -> Self {
         let [m, m1, l, g, f] = letters(["m", "m1", "l", "g", "f"]);
@@ -92,7 +92,7 @@ impl RodLetters {
         Motion::at(&self.rod, Sym::ZERO, [self.x, self.theta], [self.dx, self.dtheta])
     }
 
-    /// The accelerations of both points at x'', theta''.
+    /// The accelerations of both points for x'', theta''.
     pub fn acceleration(&self) -> [Sym; 4] {
         self.motion().acceleration([self.ddx, self.ddtheta])
     }
@@ -106,35 +106,35 @@ impl RodLetters {
         self.rod.force(&self.state())
     }
 
-    /// The directions in which the rod and the guide push, as the paper counts lambda_1 and lambda: unit forces.
+    /// The unit forces of rod and guide, with the signs of the paper's lambda_1 and lambda.
     fn directions(&self) -> [[Sym; 4]; 2] {
         let [length, guide] = jacobian(&self.rod, &self.state());
         [length.map(|row| row / self.l), guide.map(|row| -row)]
     }
 
-    /// The forces of the constraints.
+    /// The constraint forces.
     pub fn of_constraints(&self, lambda1: Sym, lambda: Sym) -> [Sym; 4] {
         let [along, across] = self.directions();
         std::array::from_fn(|i| lambda1 * along[i] + lambda * across[i])
     }
 
-    /// The reactions: the guide's (R_x, R_y) on M, and the rod's R_1 along itself.
+    /// The reactions: the guide's (R_x, R_y) on M, and R_1 along the rod.
     pub fn reactions(&self, [rx, ry, r1]: [Sym; 3]) -> [Sym; 4] {
         let Circle { cos, sin } = self.point;
         [rx - r1 * cos, ry - r1 * sin, r1 * cos, r1 * sin]
     }
 
-    /// The reactions (R_x, R_y, R_1) combined after the extended method.
+    /// The extended decomposition of the reactions (R_x, R_y, R_1).
     pub fn extended(&self, reactions: [Sym; 3]) -> Combined<Sym, 4, 2> {
         or_undefined(extended(self.rod.masses(), self.directions(), self.reactions(reactions)))
     }
 
-    /// The reactions combined after Painleve.
+    /// Painleve's decomposition of the reactions.
     pub fn painleve(&self, reactions: [Sym; 3]) -> Combined<Sym, 4, 2> {
         or_undefined(painleve(self.directions(), self.reactions(reactions)))
     }
 
-    /// (lambda_1, lambda) under the weights and friction, by Lagrange's equations of the first kind.
+    /// The multipliers (lambda_1, lambda) under the weights and friction, by Lagrange's equations of the first kind.
     pub fn multipliers(&self, friction: [Sym; 4]) -> [Sym; 2] {
         let weights = self.given_force();
         let force = std::array::from_fn(|i| weights[i] + friction[i]);
@@ -145,31 +145,32 @@ impl RodLetters {
         [length * self.l, -gap].map(tidy)
     }
 
-    /// The constraint of the rod's length, differentiated twice, at these accelerations of the points.
+    /// The second derivative of the length constraint, for given accelerations of the points.
     pub fn stretch(&self, acceleration: [Sym; 4]) -> Sym {
         let [length, _] = rates(&self.rod, &self.state(), acceleration);
         length
     }
 
-    /// m x'' - X - R^n - R^tau in each coordinate.
+    /// The residuals m x'' - X - R^n - R^tau in each coordinate.
     pub fn newton(&self, acceleration: [Sym; 4], friction: [Sym; 4]) -> [Sym; 4] {
         let (masses, weights): ([Sym; 4], _) = (self.rod.masses(), self.given_force());
         let normal = self.of_constraints(self.lambda1, self.lambda);
         std::array::from_fn(|i| masses[i] * acceleration[i] - weights[i] - normal[i] - friction[i])
     }
 
-    /// Extended friction by the letter mu of the paper, R_x = mu (m + m1 cos^2 theta).
+    /// The extended friction force, with the paper's mu: R_x = mu (m + m1 cos^2 theta).
     pub fn friction(&self) -> [Sym; 4] {
         self.extended([self.mu * self.mobile(), Sym::ZERO, Sym::ZERO]).of_friction
     }
 
-    /// The guide's (R_x, R_y) by lambda and mu: the rod's own forces are opposite at its ends and drop out of the sums.
+    /// The guide's (R_x, R_y) from lambda and mu: the rod's internal forces are opposite at its ends and cancel in the
+    /// sums.
     pub fn contact(&self) -> [Sym; 2] {
         let (normal, friction) = (self.of_constraints(self.lambda1, self.lambda), self.friction());
         [0, 1].map(|i| tidy(normal[i] + friction[i] + normal[i + 2] + friction[i + 2]))
     }
 
-    /// The guide's (R_x, R_y) by the motion: the sums of m x'' - X over both points.
+    /// The guide's (R_x, R_y) from the motion: the sums of m x'' - X over both points.
     pub fn contact_by(&self, acceleration: [Sym; 4]) -> [Sym; 2] {
         let (masses, weights): ([Sym; 4], _) = (self.rod.masses(), self.given_force());
         [0, 1].map(|axis| {
@@ -177,14 +178,14 @@ impl RodLetters {
         })
     }
 
-    /// mu by the law R_x = sign f R_y, from the multiplier: the contact's reactions are linear in mu.
+    /// The mu of the law R_x = sign f R_y, for a multiplier: the contact reactions are linear in mu.
     pub fn mu_by_law(&self, sign: Sym, lambda: Sym) -> Sym {
         let [rx, ry] = self.contact();
         let excess = (rx - sign * self.f * ry).substitute(&[(self.lambda, lambda)]);
         -(excess.substitute(&[(self.mu, Sym::ZERO)]) / excess.diff(self.mu))
     }
 
-    /// m + m1 cos^2 theta
+    /// The factor m + m1 cos^2 theta.
     pub fn mobile(&self) -> Sym {
         self.m + self.m1 * self.point.cos.powi(2)
     }

@@ -15,7 +15,7 @@ pub fn claims(page: &mut Page, s: &RodLetters) {
     motion(page, s);
 }
 
-/// (1.6)-(1.13): the friction parts of the guide's and the rod's reactions (R_x, R_y), R_1.
+/// Claims on (1.6)-(1.13): the friction parts of the reactions (R_x, R_y) of the guide and R_1 of the rod.
 fn combination(page: &mut Page, s: &RodLetters) {
     let (c, sin) = (s.point.cos, s.point.sin);
     let [rx, ry, r1, y] = letters(["Rx", "Ry", "R1", "Y"]);
@@ -31,7 +31,7 @@ fn combination(page: &mut Page, s: &RodLetters) {
     page.claim("eq1.7", "vertical", r"$R_y - Y = \rho_1\sin\theta$, with the guide's normal force $Y$ and the rod's friction $\rho_1 = R_1-R'_1$ as they are combined")
         .follows([Equal(ry - of_guide, along * sin)]);
 
-    // the rod's constraint of length: the product of its row of the Jacobian with displacements
+    // the length constraint: its row of the Jacobian times displacements
     let stretched = |[at_x, at_y, at_x1, at_y1]: [Sym; 4]| {
         let row = s.of_constraints(int(-1), Sym::ZERO);
         row[0] * at_x / s.m + row[1] * at_y / s.m + row[2] * at_x1 / s.m1 + row[3] * at_y1 / s.m1
@@ -65,7 +65,7 @@ fn combination(page: &mut Page, s: &RodLetters) {
         .holds([Line::formula(friction[0], rho, s.m * rx / (s.m + s.m1 * c.powi(2)))]);
 }
 
-/// (1.14)-(1.17), with mu = R_x / (m + m1 cos^2).
+/// Claims on (1.14)-(1.17), with mu = R_x / (m + m1 cos^2).
 fn components(page: &mut Page, s: &RodLetters) {
     let (c, sin) = (s.point.cos, s.point.sin);
     let normal = s.of_constraints(s.lambda1, s.lambda);

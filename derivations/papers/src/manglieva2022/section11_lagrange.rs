@@ -80,7 +80,7 @@ fn energy(page: &mut Page, s: &RodLetters) {
     ]);
 }
 
-/// T along the chart, for its derivatives.
+/// The kinetic energy T along the chart over dual numbers.
 fn velocity_energy(s: &RodLetters, q: [Tangent<Sym>; 2], p: [Tangent<Sym>; 2]) -> Tangent<Sym> {
     let velocity = mechanics::constrained::motion::velocity(&s.rod, Tangent::fixed(Sym::ZERO), q, p);
     kinetic_energy(s.rod.masses(), velocity)
@@ -92,7 +92,7 @@ fn equations(page: &mut Page, s: &RodLetters) {
     let at = (Sym::ZERO, [s.x, s.theta], [s.dx, s.dtheta]);
     let force = std::array::from_fn(|i| weights[i] + friction[i]);
     let second_kind = second_kind::residual(&s.rod, at, force, [s.ddx, s.ddtheta]);
-    // by d'Alembert: the constraints' forces do no work along the chart
+    // by d'Alembert's principle the constraint forces do no work along the chart
     let [along, turning] = s.motion().generalised(s.newton(s.acceleration(), friction));
     page.claim("eq1.34", "principle", r"Lagrange's equations hold with the generalised force of friction. They are the motion of the points with the forces of constraint eliminated ($x$, then $\theta$)")
         .follows([Equal(second_kind[0], along), Equal(second_kind[1], turning)]);
@@ -117,7 +117,7 @@ fn equations(page: &mut Page, s: &RodLetters) {
         .holds([Line::equation(turning / (s.m1 * s.l), s.l * s.ddtheta - s.ddx * sin, s.g * c)]);
 }
 
-/// (1.38)-(1.39): the guide taken away and its reaction put in its place.
+/// Claims on (1.38)-(1.39): the guide replaced by its reaction.
 fn released(page: &mut Page, s: &RodLetters) {
     let (c, sin) = (s.point.cos, s.point.sin);
     let [y, dy, ddy] = letters(["y", "ẏ", "ÿ"]);
@@ -185,7 +185,7 @@ fn released(page: &mut Page, s: &RodLetters) {
     page.correct();
 }
 
-/// (1.41): the angle from the vertical, theta = pi/2 - phi.
+/// Claims on (1.41): the angle from the vertical, theta = pi/2 - phi.
 fn pendulum(page: &mut Page, s: &RodLetters) {
     let [phi, dphi, ddphi, sign] = letters(["φ", "φ̇", "φ̈", "ε"]);
     let unit = Hypotheses::none().rule(sign, 2, int(1));
@@ -194,7 +194,7 @@ fn pendulum(page: &mut Page, s: &RodLetters) {
     let [_, turning] = s.motion().generalised(s.newton(s.acceleration(), [Sym::ZERO; 4]));
     let [rx, ry] = s.contact_by(s.acceleration());
     let derived = (rx + sign * s.f * ry).substitute(&turned);
-    // d/dt of the printed bracket along the motion
+    // the rate of the printed bracket along the motion
     let rate = |coupling: i64| {
         let [dx, spin] = [Tangent::moving(s.dx, s.ddx), Tangent::moving(dphi, ddphi)];
         let fixed = |value: Sym| Tangent::fixed(value);
@@ -225,7 +225,7 @@ fn pendulum(page: &mut Page, s: &RodLetters) {
 fn reactions(page: &mut Page, s: &RodLetters) {
     let (c, sin) = (s.point.cos, s.point.sin);
     let [lambda1, lambda] = s.multipliers(s.friction());
-    // x'' and theta'' of (1.35) and (1.37) put into (1.39)
+    // x'' and theta'' of (1.35) and (1.37) in (1.39)
     let masses: [Sym; 4] = s.rod.masses();
     let (weights, friction) = (s.given_force(), s.friction());
     let normal = s.of_constraints(lambda1, lambda);

@@ -16,7 +16,7 @@ pub fn claims(page: &mut Page, s: &RodLetters) {
     eliminated(page, s);
 }
 
-/// (1.20)-(1.23). y points downwards: a floor that pushes makes R_y negative.
+/// Claims on (1.20)-(1.23). y points downwards: a supporting floor makes R_y negative.
 fn law(page: &mut Page, s: &RodLetters) {
     let (c, sin) = (s.point.cos, s.point.sin);
     let [name_x, name_y] = letters(["Rx", "Ry"]);
@@ -102,7 +102,7 @@ fn law(page: &mut Page, s: &RodLetters) {
         );
 }
 
-/// (1.24)-(1.28) and the statements on them.
+/// Claims on (1.24)-(1.28) and the statements on them.
 fn multipliers(page: &mut Page, s: &RodLetters) {
     let (c, sin) = (s.point.cos, s.point.sin);
     let place = [s.x, Sym::ZERO, s.x + s.l * c, s.l * sin];
@@ -151,7 +151,7 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
         .follows([Equal(ry - s.lambda, s.m1 * s.mu * sin * c)]);
 }
 
-/// (1.26) with the lines before it.
+/// Claims on (1.26) and the preceding lines.
 fn differentiated(page: &mut Page, s: &RodLetters) {
     let (c, sin) = (s.point.cos, s.point.sin);
     let place = letters(["x", "y", "x1", "y1"]);
@@ -202,7 +202,7 @@ fn differentiated(page: &mut Page, s: &RodLetters) {
     )]);
 }
 
-/// (1.29): the law put into the equations of motion, with a sign epsilon.
+/// Claims on (1.29): the law in the equations of motion, with a sign epsilon.
 fn eliminated(page: &mut Page, s: &RodLetters) {
     let (c, sin) = (s.point.cos, s.point.sin);
     let sign = letter("ε");

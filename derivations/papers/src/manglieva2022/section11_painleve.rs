@@ -1,4 +1,4 @@
-//! Section 1.1, first part: Painleve's rod by his own choice of virtual displacements, (1.1)-(1.5).
+//! Section 1.1, first part: Painleve's rod with his choice of virtual displacements, (1.1)-(1.5).
 
 use super::alphabet::{exact, int, letter, letters};
 use super::rod::RodLetters;
@@ -13,7 +13,7 @@ pub fn claims(page: &mut Page, s: &RodLetters) {
     multipliers(page, s);
 }
 
-/// Friction as Painleve combines it, by the letter mu: the horizontal component at M.
+/// Painleve's friction force, with the symbol mu as its horizontal component at M.
 fn friction(s: &RodLetters) -> [Sym; 4] {
     let mu = letter("μᴾ");
     let one = int(1);
@@ -58,7 +58,7 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
     let (masses, weights) = ([s.m, s.m, s.m1, s.m1], s.given_force());
     let normal = s.of_constraints(s.lambda1, s.lambda1 * sin - s.m * s.g);
     let accelerations = std::array::from_fn(|i| (weights[i] + normal[i] + friction[i]) / masses[i]);
-    // the length differentiated twice, at the accelerations of (1.3)
+    // the second derivative of the length, for the accelerations of (1.3)
     let derived = s.stretch(accelerations) * s.m1 / s.l;
     let left = |inertia: Sym| s.lambda1 * (one + s.m1 / s.m * c.powi(2)) + s.m1 * (s.g * sin + inertia);
     let right = mu * (s.m1 / s.m - one) * c;

@@ -20,7 +20,7 @@ pub fn claims(page: &mut Page) {
     second_kind_equations(page);
 }
 
-/// (1.43)-(1.46).
+/// Claims on (1.43)-(1.46).
 fn displacements(page: &mut Page) {
     let (gradient, displacement): ([Sym; 3], [Sym; 3]) = (indexed("f#"), indexed("δx#"));
     page.claim("eq1.43", "constraint", r"(1.43) are geometric constraints. The claims below have one in three coordinates, arbitrary to the second order. Its derivatives are $f_{,\gamma}$, $f_{,\gamma\delta}$, or $F_{,\gamma}$ where it is solved for $x_1=F(x_2,x_3,t)$")
@@ -54,7 +54,7 @@ fn displacements(page: &mut Page) {
         )]);
 }
 
-/// (1.47)-(1.51).
+/// Claims on (1.47)-(1.51).
 fn reactions(page: &mut Page) {
     let (gradient, displacement, reaction): ([Sym; 3], [Sym; 3], [Sym; 3]) =
         (indexed("f#"), indexed("δx#"), indexed("R#"));
@@ -94,7 +94,7 @@ fn reactions(page: &mut Page) {
     own_displacement(page, "eq1.51", r"$\sum R^\tau_\gamma\delta x_\gamma\ne0$ holds");
 }
 
-/// (1.52)-(1.54).
+/// Claims on (1.52)-(1.54).
 fn friction_and_multipliers(page: &mut Page) {
     let motion = on_surface();
     let [row] = jacobian(&Resolved, &motion.state);
@@ -129,7 +129,7 @@ fn friction_and_multipliers(page: &mut Page) {
         .defines([]);
 }
 
-/// (1.55)-(1.57).
+/// Claims on (1.55)-(1.57).
 fn second_kind_equations(page: &mut Page) {
     let motion = on_surface();
     let found = friction(motion.fields);

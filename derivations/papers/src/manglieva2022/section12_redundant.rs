@@ -59,7 +59,7 @@ pub fn claims(page: &mut Page) {
     .follows(appell::residual(&Mixed, &kinematic, force, [a3, a4]).map(Zero));
 }
 
-/// (1.58)-(1.61).
+/// Claims on (1.58)-(1.61).
 fn velocities(page: &mut Page, motion: &Motion<Sym, 3, 2>) {
     page.claim(
         "eq1.58",

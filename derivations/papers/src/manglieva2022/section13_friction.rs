@@ -26,7 +26,7 @@ fn constraints(page: &mut Page, s: &SteeredLetters) {
     page.claim("eq1.66", "constraints", "The rod with one end on the guide $y_1=0$ keeps its length").defines([
         Line::equation(length, (int(1) / int(2)) * ((y2 - y1).powi(2) + (x2 - x1).powi(2) - s.l.powi(2)), Sym::ZERO),
     ]);
-    // twice the velocity of the middle, crossed with the rod
+    // twice the velocity of the middle, times the direction of the rod (cross product)
     let moving = |a: Sym, b: Sym, p: Sym, q: Sym| ((Tangent::moving(a, p) + Tangent::moving(b, q)).half()).slope;
     let (u, v) = (moving(x1, x2, u1, u2), moving(y1, y2, v1, v2));
     page.claim("eq1.67", "middle", "The velocity of the rod's middle has the direction of the rod").holds([
@@ -38,7 +38,7 @@ fn constraints(page: &mut Page, s: &SteeredLetters) {
     ]);
 }
 
-/// (1.68)-(1.75).
+/// Claims on (1.68)-(1.75).
 fn combination(page: &mut Page, s: &SteeredLetters) {
     let (c, sin) = (s.point.cos, s.point.sin);
     let [rx, ry, y] = letters(["Rx", "Ry", "Y"]);
@@ -51,7 +51,7 @@ fn combination(page: &mut Page, s: &SteeredLetters) {
             Line::formula(of_friction[0], letter("ρ1x"), -rho21 * c - rho22 * sin),
             Line::formula(of_friction[1], letter("ρ1y"), -rho21 * sin + rho22 * c),
         ]);
-    // friction at M1 and M2 by (1.68), and the constraints on its quotient by the masses
+    // friction at M1 and M2 by (1.68); the constraints on the friction divided by the masses
     let friction = [rx + of_friction[0], ry - y + of_friction[1], of_friction[2], of_friction[3]];
     let vertical = friction[1];
     page.claim(
@@ -111,7 +111,7 @@ fn combination(page: &mut Page, s: &SteeredLetters) {
         .holds([Line::equation(across(guided) * s.m1, rx * sin, (q + sin.powi(2)) * rho22 + rho21 * sin * c)]);
 }
 
-/// (1.75)-(1.80).
+/// Claims on (1.75)-(1.80).
 fn parts(page: &mut Page, s: &SteeredLetters) {
     let (c, sin) = (s.point.cos, s.point.sin);
     let [rx, ry, r21, r22] = letters(["Rx", "Ry", "R1", "R2"]);
@@ -167,7 +167,7 @@ fn parts(page: &mut Page, s: &SteeredLetters) {
     page.correct();
 }
 
-/// (1.81)-(1.82).
+/// Claims on (1.81)-(1.82).
 fn law(page: &mut Page, s: &SteeredLetters) {
     let [rx, ry, r21, r22, y] = letters(["Rx", "Ry", "R1", "R2", "Y"]);
     let [_, _, of_guide] = s.extended([rx, ry, r21, r22]).multipliers;

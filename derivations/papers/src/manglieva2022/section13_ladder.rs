@@ -124,7 +124,7 @@ fn reactions(page: &mut Page, s: &LadderLetters) {
     ]);
 }
 
-/// The statement of the task's introduction on Appell's conclusion.
+/// Claims on the statement on Appell's conclusion in the introduction of the task.
 fn normal_reactions_and_friction(page: &mut Page, s: &LadderLetters) {
     let [derived_a, _] = s.normal_reactions();
     let at_rest = derived_a.substitute(&[(s.dalpha, Sym::ZERO), (s.ddalpha, s.acceleration())]);

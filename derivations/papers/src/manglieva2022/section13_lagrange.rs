@@ -21,7 +21,7 @@ fn integral(page: &mut Page, s: &SteeredLetters) {
     let sin = s.point.sin;
     page.claim("eq1.92", "speed", r"The constraint of the middle, expressed by $\theta$, is (1.92)")
         .holds([Line::formula(s.speed(), s.dx1, s.l * s.dtheta / (int(2) * sin))]);
-    // tg(theta/2) along the constraint, at theta' by x1'
+    // tan(theta/2) along the constraint, with theta' expressed by x1'
     let half = (Tangent::moving(s.theta, s.turning()) / Tangent::fixed(int(2))).circle();
     let tangent = half.sin / half.cos;
     let name = letter("d(tg θ/2)/dt");
@@ -40,12 +40,12 @@ fn integral(page: &mut Page, s: &SteeredLetters) {
         .follows([Zero(s.turning().substitute(&[(sin, Sym::ZERO)]).substitute(&at_rest))]);
 }
 
-/// Replaces x1' by theta'.
+/// An expression with x1' replaced by theta'.
 fn by_angle(s: &SteeredLetters, expression: Sym) -> Sym {
     expression.substitute(&[(s.dx1, s.speed())])
 }
 
-/// The generalised force of theta: the work along the chart's field for a unit of theta'.
+/// The generalised force of theta: the product with the chart's field for theta' = 1.
 fn along_angle(s: &SteeredLetters, force: [Sym; 4]) -> Sym {
     let [work] = s.motion().generalised(force);
     work * s.speed() / s.dtheta
@@ -71,7 +71,7 @@ fn work(page: &mut Page, s: &SteeredLetters) {
             s.drive * l / (two * sin) + m2 * s.g * l * c,
         )]);
 
-    // the reactions themselves: R on M1, R_21 and R_22 at both ends
+    // the reactions: R on M1, R_21 and R_22 at both ends
     let [rx, ry, r21, r22] = letters(["Rx", "Ry", "R1", "R2"]);
     let rod = s.of_constraints([r21, r22, Sym::ZERO]);
     let all = along_angle(s, [rx + rod[0], ry + rod[1], rod[2], rod[3]]);
@@ -96,11 +96,11 @@ fn work(page: &mut Page, s: &SteeredLetters) {
     page.correct();
 }
 
-/// The motion's equation along the chart for a unit of theta', at theta''.
+/// The residual of the equation of motion along the chart for theta' = 1, as a function of theta''.
 fn balance(s: &SteeredLetters, friction: [Sym; 4]) -> Sym {
     let speed = s.speed();
     let moving = Tangent::moving(s.theta, s.dtheta).circle().sin;
-    // x1'' from theta', theta'' by the constraint itself
+    // x1'' from theta', theta'' by the constraint
     let fixed = |value: Sym| Tangent::fixed(value);
     let ratio = fixed(s.l) / (fixed(int(2)) * moving) * Tangent::moving(s.dtheta, s.ddtheta);
     let acceleration = s.motion().acceleration([ratio.slope]).map(|a| a.substitute(&[(s.dx1, speed)]));
@@ -149,7 +149,7 @@ fn equation(page: &mut Page, s: &SteeredLetters) {
     )]);
 }
 
-/// (1.99): x1 kept beside theta.
+/// Claims on (1.99), where x1 is kept as a redundant coordinate.
 fn redundant(page: &mut Page, s: &SteeredLetters) {
     let (c, sin) = (s.point.cos, s.point.sin);
     let (m1, m2, l) = (s.m1, s.m2, s.l);

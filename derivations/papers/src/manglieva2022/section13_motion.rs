@@ -63,7 +63,7 @@ fn differentiated(page: &mut Page, s: &SteeredLetters) {
 
     let (lambda, lambda1, lambda2) = (s.lambda, s.lambda1, s.lambda2);
     let guide = -s.newton([Sym::ZERO; 4], s.friction())[1];
-    // on the guide: lambda such that y1'' = 0
+    // on the guide lambda is such that y1'' = 0
     let kept = [(lambda, -s.m1 * s.g + lambda1 * sin - lambda2 * c)];
     let [length, middle, _] = s.differentiated(s.friction()).map(|rate| tidy(rate.substitute(&kept) / s.l));
     let inverse = |mass: Sym| int(1) / mass;
@@ -173,7 +173,8 @@ fn multipliers(page: &mut Page, s: &SteeredLetters) {
     .follows(s.multipliers(any).map(|multiplier| Zero(multiplier.diff(p))));
 }
 
-/// (1.90)-(1.91): equations of motion and multipliers by Painleve's displacements, with mu the force of friction at M1.
+/// Claims on (1.90)-(1.91): equations of motion and multipliers by Painleve's displacements, where mu is the friction
+/// force at M1.
 fn painleve(page: &mut Page, s: &SteeredLetters) {
     let (c, sin) = (s.point.cos, s.point.sin);
     let [mu, q] = letters(["μᴾ", "q"]);

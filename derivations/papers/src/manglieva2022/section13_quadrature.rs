@@ -17,18 +17,18 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
     reactions(page, s, &u);
 }
 
-/// The uniform ladder with f at both ends, by the paper's letters a and b.
+/// The uniform ladder with the friction coefficient f at both ends, in the paper's symbols a and b.
 struct Uniform {
     f: Sym,
     a: Sym,
-    /// a - 2/3
+    /// a - 2/3.
     inertia: Sym,
     b: Sym,
-    /// af/(a - 2/3): how the homogeneous solution grows
+    /// The exponent af/(a - 2/3) of the homogeneous solution.
     growth: Sym,
-    /// alpha'' of the motion
+    /// The acceleration alpha'' of the motion.
     derived: Sym,
-    /// a = 2/(1 + f^2), b = -2af/(a - 2/3)
+    /// The values a = 2/(1 + f^2), b = -2af/(a - 2/3).
     names: Hypotheses,
 }
 
@@ -41,18 +41,18 @@ impl Uniform {
         Uniform { f, a, inertia, b, growth, derived: tidy(s.uniform(s.acceleration())), names }
     }
 
-    /// (af^2 - 1) sin + af cos
+    /// (af^2 - 1) sin + af cos.
     fn load<S: field::Scalar>(&self, lift: impl Fn(Sym) -> S, point: Circle<S>) -> S {
         lift(self.a * self.f.powi(2) - int(1)) * point.sin + lift(self.a * self.f) * point.cos
     }
 
-    /// ((af^2 - 1) b + af) sin + (baf - (af^2 - 1)) cos
+    /// ((af^2 - 1) b + af) sin + (baf - (af^2 - 1)) cos.
     fn integrated<S: field::Scalar>(&self, lift: impl Fn(Sym) -> S, point: Circle<S>) -> S {
         let (weight, wedge) = (self.a * self.f.powi(2) - int(1), self.a * self.f);
         lift(weight * self.b + wedge) * point.sin + lift(self.b * wedge - weight) * point.cos
     }
 
-    /// A symbol for e^{b alpha} along alpha.
+    /// A symbol for e^{b alpha} as a dual number along alpha.
     fn exponential(&self, name: Sym) -> Tangent<Sym> {
         Tangent::moving(name, self.b * name)
     }
@@ -78,7 +78,7 @@ fn first_order(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     )]);
 }
 
-/// The steps of the variation of constants, with symbols for the exponentials, each with its rate along alpha.
+/// Claims on the steps of the variation of constants, with symbols for the exponentials and their rates along alpha.
 fn variation(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     let [constant, rate] = letters(["C₁", "C₁′"]);
     // G stands for e^{k alpha}, with k = af/(a - 2/3) of the homogeneous equation
@@ -138,7 +138,7 @@ fn variation(page: &mut Page, s: &LadderLetters, u: &Uniform) {
         .follows([Equal(-(s.g / s.l) * integral.slope, load * exponential.value)]);
 }
 
-/// (1.109).
+/// Claims on (1.109).
 fn solution(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     let (fixed, point) = (|x: Sym| Tangent::fixed(x), along_alpha(s));
     let constant = letter("C̃");
@@ -146,7 +146,7 @@ fn solution(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     let factor = int(2) * s.g / (s.l * (int(1) + u.b.powi(2)) * (int(2) / int(3) - u.a));
     let forced = fixed(factor) * u.integrated(fixed, point);
     let [name] = letters(["d(α̇²)/dα"]);
-    // d(alpha'^2)/dalpha = 2 alpha'' of the motion, at the alpha'^2 of the formula
+    // d(alpha'^2)/dalpha = 2 alpha'' of the motion, with alpha'^2 by the formula
     let motion = |square: Sym| {
         let [spin] = letters(["Q"]);
         let linear = u.derived.substitute(&[(s.dalpha, Sym::ZERO)]);
@@ -167,7 +167,7 @@ fn solution(page: &mut Page, s: &LadderLetters, u: &Uniform) {
         expression.substitute(&[(s.point.cos, point.cos), (s.point.sin, point.sin), (now, begun)])
     };
     let initial = speed.powi(2) - at_start(forced.value);
-    // the constant for which the right formula has alpha'_0 at alpha_0
+    // the constant for which the correct formula gives alpha'_0 at alpha_0
     let begins = at_start(corrected.value) - speed.powi(2);
     let derived = -(begins.substitute(&[(constant, Sym::ZERO)]) / begins.diff(constant));
     page.claim(
@@ -189,7 +189,7 @@ fn solution(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     page.correct();
 }
 
-/// (1.110).
+/// Claims on (1.110).
 fn reactions(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     let (c, sin, l, g, f) = (s.point.cos, s.point.sin, s.l, s.g, u.f);
     let derived = s.normal_reactions().map(|push| tidy(s.uniform(push)).substitute(&[(s.ddalpha, u.derived)]));

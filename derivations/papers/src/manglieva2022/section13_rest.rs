@@ -1,4 +1,4 @@
-//! Section 1.3, task 1: rest with friction, (1.100).
+//! Section 1.3, task 1: equilibrium with friction, (1.100).
 
 use super::alphabet::{exact, int, letter, letters, tidy};
 use super::steered::SteeredLetters;
@@ -7,7 +7,7 @@ use symbolic::{Hypotheses, Sym};
 
 use Condition::{Equal, Positive};
 
-/// (1.100): the guide's reactions while the rod rests.
+/// Claims on (1.100): the reactions of the guide in equilibrium.
 pub fn claims(page: &mut Page, s: &SteeredLetters) {
     page.section("1.3. Task 1, rest");
     let (c, sin, double) = (s.point.cos, s.point.sin, s.point + s.point);
@@ -43,7 +43,7 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
     page.claim("section1.3-static", "pull", r"$\lambda_1\cos\theta+\lambda_2\sin\theta$ at rest has the printed value")
         .follows([Equal(pull, m2 / (m1 + m2) * (drive - m1 * g * double.sin))]);
 
-    // the friction that keeps M1 at rest: the equation of motion without acceleration
+    // the friction that keeps M1 at rest, from the equation of motion without acceleration
     let [missing] = s.motion().generalised(s.newton([Sym::ZERO; 4], s.friction()));
     let mu = tidy(-(missing.substitute(&[(s.mu, Sym::ZERO)]) / tidy(missing.diff(s.mu))));
     page.claim(

@@ -1,4 +1,4 @@
-//! Section 1.3, task 2: the ladder without friction: motion, reactions, where it leaves the wall.
+//! Section 1.3, task 2: the frictionless ladder: motion, reactions, and where it leaves the wall.
 
 use super::alphabet::{exact, int, letter, tidy};
 use super::ladder::LadderLetters;

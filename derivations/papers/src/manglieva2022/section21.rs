@@ -1,6 +1,6 @@
 //! Section 2.1: nonholonomic systems with friction, (2.1)-(2.9).
 //!
-//! Four coordinates with one geometric and one nonlinear kinematic constraint: r = 2 velocities are free.
+//! Four coordinates with one geometric and one nonlinear kinematic constraint: r = 2 free velocities.
 
 use super::alphabet::{indexed, int, letter, letters};
 use super::general::{Mixed, dot, first_kind, friction, mixed, with_friction};
@@ -23,7 +23,7 @@ pub fn claims(page: &mut Page) {
     dynamics(page);
 }
 
-/// (2.1)-(2.5).
+/// Claims on (2.1)-(2.5).
 fn displacements(page: &mut Page) {
     page.claim(
         "eq2.1",
@@ -46,7 +46,7 @@ fn displacements(page: &mut Page) {
     let rows = {
         let moving = along(q, Mixed.rates(time, q, [v3, v4]));
         let places = Mixed.place(Tangent::variable(time), moving);
-        // the geometric constraint differentiated once along the chart
+        // the first derivative of the geometric constraint along the chart
         let velocity = [fixed([Sym::ZERO])[0]; 4];
         let moved: [Constraint<Tangent<Sym>>; 2] =
             Mixed.constraints(&State { time: Tangent::variable(time), place: places, velocity });
@@ -68,7 +68,7 @@ fn displacements(page: &mut Page) {
         ]);
 }
 
-/// (2.6)-(2.7) and the forms of both parts.
+/// Claims on (2.6)-(2.7) and the forms of both parts.
 fn forces(page: &mut Page) {
     nowhere_zero(page, "eq2.6", r"$\sum\vec R_k\delta\vec r_k\ne0$");
     let (gradient, steered, displacement): ([Sym; 4], [Sym; 4], [Sym; 4]) =
@@ -91,7 +91,7 @@ fn forces(page: &mut Page) {
         .follows(jacobian(&Mixed, &motion.state).map(|row| Zero(dot(row, displaced))));
 }
 
-/// The two lines after (2.8).
+/// Claims on the two lines after (2.8).
 fn identities(page: &mut Page) {
     let motion = mixed();
     let [geometric, steered] = jacobian(&Mixed, &motion.state);
@@ -120,7 +120,7 @@ fn identities(page: &mut Page) {
     page.correct();
 }
 
-/// (2.8)-(2.9).
+/// Claims on (2.8)-(2.9).
 fn dynamics(page: &mut Page) {
     let motion = mixed();
     let masses: [Sym; 4] = indexed("m#");

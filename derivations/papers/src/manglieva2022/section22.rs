@@ -22,7 +22,7 @@ pub fn claims(page: &mut Page) {
 
 type Four = [Sym; 4];
 
-/// (2.10)-(2.13).
+/// Claims on (2.10)-(2.13).
 fn differentiated(page: &mut Page) {
     let (place, velocity, second): (Four, Four, Four) = ([Sym::ZERO; 4], indexed("ẋ#"), indexed("ẍ#"));
     let [geometric, steered] = rates(&Mixed, &State { time: Sym::ZERO, place, velocity }, second);
@@ -69,7 +69,7 @@ fn differentiated(page: &mut Page) {
     )]);
 }
 
-/// (2.14)-(2.17).
+/// Claims on (2.14)-(2.17).
 fn variations(page: &mut Page) {
     let (gradient, steered): (Four, Four) = (indexed("f#"), indexed("φ#"));
     let (true_ones, possible): (Four, Four) = (indexed("ẍ#"), indexed("ẍ′#"));
@@ -122,13 +122,13 @@ fn variations(page: &mut Page) {
     .by_combination([(Zero(dot(weighted, varied)), vec![], vec![(0, int(1)), (1, int(-1))])]);
 }
 
-/// 1/2 sum m (a - b)^2
+/// The measure 1/2 sum m (a - b)^2.
 fn measure(a: Four, b: Four) -> Sym {
     let masses: Four = indexed("m#");
     (0..4).fold(Sym::ZERO, |sum, i| sum + masses[i] * (a[i] - b[i]).powi(2)) / int(2)
 }
 
-/// (2.18)-(2.20).
+/// Claims on (2.18)-(2.20).
 fn measures(page: &mut Page) {
     let (masses, true_ones, possible, released): (Four, Four, Four, Four) =
         (indexed("m#"), indexed("ẍ#"), indexed("ẍ′#"), indexed("a#"));
@@ -193,7 +193,7 @@ fn measures(page: &mut Page) {
         .by_signs([Positive(tidy(difference.substitute(&shifted)))]);
 }
 
-/// (2.21)-(2.22).
+/// Claims on (2.21)-(2.22).
 fn least(page: &mut Page) {
     let (masses, given, friction, second): (Four, Four, Four, Four) =
         (indexed("m#"), indexed("X#"), indexed("R#"), indexed("ẍ#"));

@@ -1,4 +1,4 @@
-//! Section 2.2, beyond the text: Gauss' principle where friction is a function of the accelerations.
+//! Section 2.2, additional results: Gauss' principle with friction that depends on the accelerations.
 
 use super::alphabet::{exact, indexed, int, letter, letters, tidy};
 use super::general::{Mixed, first_kind, mixed, with_friction};
@@ -17,7 +17,7 @@ pub fn claims(page: &mut Page, s: &RodLetters) {
 
 type Four = [Sym; 4];
 
-/// Painleve's friction, mu_j a function of the accelerations.
+/// Claims on Painleve's friction, with mu_j a function of the accelerations.
 fn combined(page: &mut Page) {
     let motion = mixed();
     let masses: Four = indexed("m#");
@@ -48,9 +48,9 @@ fn combined(page: &mut Page) {
         .by_combination([(growth, vec![], vec![(0, p1 - change1), (1, p2 - change2)])]);
 }
 
-/// The guide's tangential reaction itself.
+/// Claims on the tangential reaction of the guide.
 fn of_the_guide(page: &mut Page, s: &RodLetters) {
-    // the rod on the floor: the tangential reaction itself, f times the normal one that (1.39) finds in the accelerations
+    // the rod on the floor: the tangential reaction is f times the normal reaction from the accelerations by (1.39)
     let [_, ry] = s.contact_by(s.acceleration());
     let [lambda1, lambda] = s.multipliers(s.friction());
     let law = s.mu_by_law(int(1), lambda);
@@ -64,7 +64,7 @@ fn of_the_guide(page: &mut Page, s: &RodLetters) {
         let normal = s.of_constraints(lambda1, lambda);
         let friction = s.friction();
         let at: Four = std::array::from_fn(|i| (weights[i] + normal[i] + friction[i]) / masses[i]);
-        // x'' of M, and theta'' from the acceleration of M1 across the rod
+        // x'' of M, and theta'' from the acceleration of M1 perpendicular to the rod
         let across = s.point.cos * at[3] - s.point.sin * (at[2] - at[0]);
         [(s.ddx, tidy(at[0])), (s.ddtheta, tidy(across / s.l))]
     };

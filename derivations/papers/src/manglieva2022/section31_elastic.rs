@@ -17,7 +17,7 @@ pub fn claims(page: &mut Page, s: &ElasticLetters) {
     stationary(page, s);
 }
 
-/// The derivatives of an acceleration energy that enter Appell's equations.
+/// The derivatives of an acceleration energy in Appell's equations.
 fn seen(s: &ElasticLetters, energy: Sym) -> [Sym; 2] {
     s.rates.map(|rate| tidy(energy.diff(rate)))
 }
@@ -193,7 +193,7 @@ fn motion(page: &mut Page, s: &ElasticLetters) {
         )]);
 }
 
-/// E' less the residuals of Appell's equations: the power, for any accelerations.
+/// Claims on E' minus the residuals of Appell's equations, which is the power for any accelerations.
 fn power(page: &mut Page, s: &ElasticLetters) {
     let ([w, x, dx, lambda, psi], [dw, ddx]) = (s.state, s.rates);
     let [second, across, turn] = s.rolling();

@@ -60,7 +60,7 @@ fn energy(page: &mut Page, s: &GovernorLetters) {
     )
     .holds([Line::formula(s.acceleration_energy(), name, discs(s.ddrho))]);
     page.correct();
-    // only the derivatives of S by the accelerations enter Appell's equations
+    // Appell's equations contain only the derivatives of S by the accelerations
     let seen = |energy: Sym| [tidy(energy.diff(s.dspeed)), energy.diff(s.ddrho)];
     let rim = s.drho * s.speed + s.rho * s.dspeed;
     let reduced =
@@ -108,7 +108,7 @@ fn appell(page: &mut Page, s: &GovernorLetters) {
         Line::equation(condition, s.speed * s.rho * s.reduced() * s.drho, right),
         Line::equation(wheel, s.mass * s.ddrho, -s.friction + s.push),
     ]);
-    // power: the kinetic energy by the bodies, its rate along the equations
+    // power: the rate of the bodies' kinetic energy along the equations
     let energy: Sym = mechanics::constrained::kinetic_energy(s.governor.masses(), motion.state.velocity);
     let rate = energy.diff(s.rho) * s.drho + energy.diff(s.speed) * s.dspeed + energy.diff(s.drho) * s.ddrho;
     let [turning, sliding] = s.balance();

@@ -42,14 +42,14 @@ fn kinematics(page: &mut Page, s: &GovernorLetters) {
     ]);
 }
 
-/// m x'' - X along the tangents of first disc, second disc and wheel, at the prescribed speed.
+/// The residuals m x'' - X along the tangents of first disc, second disc and wheel, at the prescribed speed.
 fn missing(s: &GovernorLetters) -> [Sym; 3] {
     let (masses, force): ([Sym; 7], [Sym; 7]) = (s.governor.masses(), s.governor.force(&s.motion().state));
     let acceleration = s.acceleration();
     [1, 3, 5].map(|i| tidy((masses[i] * acceleration[i] - force[i]).substitute(&[(s.dspeed, Sym::ZERO)])))
 }
 
-/// F1, F2: the residual of each disc over the effect of a unit contact force on it.
+/// The contact forces F1, F2: the residual of each disc divided by the effect of a unit force on it.
 fn contact_forces(s: &GovernorLetters) -> [Sym; 2] {
     let [.., first, second] = s.governor.reactions(&s.motion().state);
     let [on_first, on_second, _] = missing(s);
@@ -106,7 +106,7 @@ fn contacts(page: &mut Page, s: &GovernorLetters) {
 fn motion(page: &mut Page, s: &GovernorLetters) {
     let far = s.distance - s.rho;
     let [condition, wheel] = s.kept();
-    // Appell's condition for omega2, brought to the wheel: over its lever about the second axis
+    // Appell's condition for omega2 as a force at the wheel: divided by its lever arm about the second axis
     let derived = condition * s.radius / far;
     let pull = s.m2 / far + s.m1 / s.rho;
     let of_first = s.speed * s.distance * s.first / s.rho.powi(3);
@@ -122,7 +122,7 @@ fn motion(page: &mut Page, s: &GovernorLetters) {
     ]);
     page.correct();
     let [f, n1, n2, at1, at2] = letters(["fᶜ", "N₁", "N₂", "F₁₁", "F₂₂"]);
-    // sliding outwards: both contacts push back with f N
+    // outward sliding: both contacts resist with f N
     let outwards = tidy(wheel.substitute(&[(at1, f * n1), (at2, f * n2)]));
     let normal = n1 + n2;
     page.claim(
@@ -141,7 +141,7 @@ fn motion(page: &mut Page, s: &GovernorLetters) {
     page.correct();
 }
 
-/// Under constant torques, beyond the paper: dt/drho of the quadrature against the programme of Appell's equations.
+/// Additional claims for constant torques: dt/drho of the quadrature and the programmed motion by Appell's equations.
 fn quadrature(page: &mut Page, s: &GovernorLetters) {
     let drift = |with: [Sym; 2]| -> Sym {
         let drift: Sym = s.governor.programme(Sym::ZERO, s.rho, s.speed);

@@ -12,14 +12,14 @@ pub fn claims(page: &mut Page, quintic: &Quintic) {
     determinants(page, quintic);
 }
 
-/// The characteristic polynomial a0 mu^5 + ... + a5 of a rim that resists: of the matrix (3.22) with its right entries by
-/// their names, a and b with the signs that Z has.
+/// The characteristic polynomial a0 mu^5 + ... + a5 of a resisting rim: of the matrix (3.22) with corrected entries,
+/// where a and b have the signs of Z.
 pub(super) struct Quintic {
     pub derived: [Sym; 6],
     pub ball: Sym,
     pub a: Sym,
     pub b: Sym,
-    /// b R/rho_0
+    /// The coefficient b R/rho_0.
     pub twist: Sym,
 }
 
@@ -37,7 +37,7 @@ impl Quintic {
         Quintic { derived: by_powers(&matrix), ball: s.ball, a: s.a, b: s.b, twist }
     }
 
-    /// The correct coefficients, in the paper's names.
+    /// The correct coefficients, in the paper's symbols.
     pub fn right(&self) -> [Sym; 6] {
         let [theta, m0, v, alpha, beta] = letters(["θ₀", "m₀", "V", "α₁", "β₁"]);
         let [phi1, phi2, phi3, phi4] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄"]);
@@ -59,7 +59,7 @@ impl Quintic {
     }
 }
 
-/// The coefficients of minus the determinant, highest power of mu first.
+/// The coefficients of minus the determinant, the highest power of mu first.
 pub(super) fn by_powers<const N: usize, const POWERS: usize>(matrix: &[[Sym; N]; N]) -> [Sym; POWERS] {
     let mut powers = [Sym::ZERO; POWERS];
     let polynomial = -determinant(matrix).unwrap_or(Sym::ZERO);
@@ -130,7 +130,7 @@ fn minor(a: &[Sym; 6], size: usize) -> Sym {
     determinant(&rows).unwrap_or(Sym::ZERO)
 }
 
-/// The minors of the coefficients that were shown above, in the paper's names as independent symbols.
+/// Claims on the minors, with the coefficients of the polynomial in terms of independent symbols.
 fn determinants(page: &mut Page, q: &Quintic) {
     let entry = "section3.1-hurwitz";
     let [theta, m0, v, alpha, beta] = letters(["θ₀", "m₀", "V", "α₁", "β₁"]);

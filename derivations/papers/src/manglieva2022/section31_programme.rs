@@ -1,4 +1,4 @@
-//! Section 3.1: the programme of the movable wheel solved, its force, its stability, (3.7)-(3.13).
+//! Section 3.1: the programmed motion of the movable wheel: solution, force and stability, (3.7)-(3.13).
 
 use super::alphabet::{exact, int, letter, letters, tidy};
 use super::governor::GovernorLetters;
@@ -17,7 +17,7 @@ pub fn claims(page: &mut Page, s: &GovernorLetters) {
     persidskii(page, s);
 }
 
-/// rho rho' - eps (k1 + k2 rho): the condition of (3.3) with J, M1, M2 expressed by eps, k1, k2.
+/// The condition rho rho' - eps (k1 + k2 rho) of (3.3), with J, M1, M2 expressed by eps, k1, k2.
 fn by_small_parameter(s: &GovernorLetters) -> Sym {
     let [epsilon, k1, k2] = letters(["εᵏ", "k₁", "k₂"]);
     let [condition, _] = s.kept();
@@ -58,7 +58,7 @@ fn force(page: &mut Page, s: &GovernorLetters) {
     let names = s.names().given(rate1, square * growth2).given(rate2, square * growth1 / s.drum);
     let derived: Sym = tidy(s.governor.control_force(Sym::ZERO, s.rho, s.speed));
     let along = k1 / s.rho + k2;
-    // d/dt (k1/rho + k2) along k rho' = k1/rho + k2
+    // the derivative of k1/rho + k2 along k rho' = k1/rho + k2
     let differentiated = rate1 / s.rho - k1 * along / (k * s.rho.powi(2)) + rate2;
     page.claim(
         "eq3.9",
@@ -105,7 +105,7 @@ fn force(page: &mut Page, s: &GovernorLetters) {
 
 fn quadrature(page: &mut Page, s: &GovernorLetters) {
     let [k, k1, k2, start, log] = letters(["k", "k₁", "k₂", "ϱ₀", "ℓ"]);
-    // the logarithm along rho: d ln|k2 rho + k1| = k2 d rho / (k2 rho + k1); it is zero at rho_0
+    // the logarithm as a function of rho: d ln|k2 rho + k1| = k2 d rho / (k2 rho + k1); it is zero at rho_0
     let rho = Tangent::variable(s.rho);
     let fixed = Tangent::fixed;
     let argument = fixed(k2) * rho + fixed(k1);
@@ -210,7 +210,7 @@ fn persidskii(page: &mut Page, s: &GovernorLetters) {
         [Positive(radius - s.rho)],
         exact([("k", 1, 1), ("k₁", 1, 1), ("ϱ₀", 1, 1), ("r₂", 2, 1), ("t", 4, 1), ("ϱ", 3, 1)]),
     );
-    // rho_a = r2 - s_a, rho_b = r2 - s_b, M2 = M2' + more
+    // rho_a = r2 - s_a, rho_b = r2 - s_b, M2 = M2' + an excess
     let [least, more, from_a, from_b] = letters(["M′", "ΔM", "sₐ", "s_b"]);
     let rate = s.radius.powi(2) * (least + more) / (k * a * b);
     let bound = |edge_a: Sym, edge_b: Sym| s.radius.powi(2) * least / (k * edge_a * edge_b);

@@ -16,7 +16,7 @@ pub fn claims(page: &mut Page, s: &ElasticLetters) {
     section31_hurwitz::claims(page, &quintic);
 }
 
-/// The equations (3.20), (3.21) by differentiation, for deviations written with a prime.
+/// Claims on (3.20), (3.21) by differentiation; deviations are marked with a prime.
 fn linearised(page: &mut Page, s: &ElasticLetters) {
     let [dw, ddx, dx, x, w, w0] = letters(["ω̇′", "ẍ′", "ẋ′", "x′", "ω′", "ω₀"]);
     let [lambda, psi, dlambda, dpsi] = letters(["λᵉ", "ψ", "λ̇ᵉ", "ψ̇"]);
@@ -181,12 +181,12 @@ fn polynomial(page: &mut Page, s: &ElasticLetters, q: &Quintic) {
     }
 }
 
-/// (3.17) and Z contradict each other; the sign with which the motion can be stable.
+/// Claims on the contradiction of (3.17) and Z, and on the sign with which the motion can be stable.
 fn sign_of_rim(page: &mut Page, q: &Quintic) {
     let entry = "section3.1-quintic";
     let [theta, m0, v, alpha, beta] = letters(["θ₀", "m₀", "V", "α₁", "β₁"]);
     let [phi2, phi3, phi4, z] = letters(["Φ₂", "Φ₃", "Φ₄", "Zᶠ"]);
-    // a3 = beta Z - Phi3 Phi2 defines Z; of a rim that pushes, with + a lambda, a has the other sign
+    // a3 = beta Z - Phi3 Phi2 defines Z; with the force + a lambda, a has the opposite sign
     let of_resisting = (q.derived[3] + phi3 * phi2) / beta;
     let of_pushing = tidy(of_resisting.substitute(&[(q.a, -q.a), (q.b, -q.b)]));
     page.claim(
@@ -204,7 +204,7 @@ fn sign_of_rim(page: &mut Page, q: &Quintic) {
     .reading(AS_STIFFNESS)
     .holds([Line::formula(of_resisting, z, q.z()), Line::formula(of_pushing, z, q.z() - theta * q.a - theta * q.a)]);
     page.correct();
-    // the sleeve and the rim at a kept speed: rows 2 to 4 of the matrix
+    // the sleeve and the rim at a constant speed: rows 2 to 4 of the matrix
     let third = |force: Sym| {
         let (mu, zero) = (letter("μᵉ"), Sym::ZERO);
         let matrix = [[m0 * mu.powi(2) + phi4, force, zero], [mu, -mu, -v], [zero, -alpha, mu + beta]];

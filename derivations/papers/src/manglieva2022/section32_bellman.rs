@@ -1,6 +1,7 @@
 //! Section 3.2: the criterion, Bellman's function and Riccati's equation, (3.33)-(3.37).
 //!
-//! The criterion adds squares of unlike quantities: its units are written as weights q1, q2, q3 and s.
+//! The criterion adds squares of quantities with different dimensions: its units are represented by the weights q1, q2,
+//! q3 and s.
 
 use super::alphabet::{exact, int, letter, letters, tidy};
 use super::released::ReleasedLetters;
@@ -154,7 +155,7 @@ fn riccati(page: &mut Page, r: &ReleasedLetters) {
     let rates = r.regulator().riccati(r.value).map(|row| row.map(tidy));
     let (damping, lever) = (n1 * r.rho * r.drho, n1 * s.speed * r.rho);
     let two = int(2);
-    // m is lost in all six; n1 is printed as u1 in three of them
+    // m is missing in all six equations; n1 is printed as u1 in three of them
     let of = |unit: Sym| {
         [
             two * c11 * damping + c13.powi(2) / unit - q1,
@@ -237,12 +238,12 @@ fn riccati(page: &mut Page, r: &ReleasedLetters) {
     page.correct();
 }
 
-/// The weights of the criterion as the paper has them: all of them 1, each in its own unit.
+/// The paper's weights of the criterion: all of them 1, each in its own unit.
 fn with_unit_weights(r: &ReleasedLetters, names: Hypotheses) -> Hypotheses {
     r.weights.into_iter().fold(names, |names, weight| names.given(weight, Sym::ONE))
 }
 
-/// c(0) = 0: the condition belongs to the other end.
+/// Claims on c(0) = 0: the condition belongs to the final time.
 fn ends(page: &mut Page, r: &ReleasedLetters) {
     let names = ["C₁₁", "C₂₂", "C₃₃", "C₁₂", "C₁₃", "C₂₃"];
     let [zeta, ..] = r.deviation;

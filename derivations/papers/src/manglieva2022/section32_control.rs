@@ -80,7 +80,7 @@ fn columns(page: &mut Page, r: &ReleasedLetters) {
     page.correct();
 }
 
-/// M1 (n rho_0^2 + J2)/R - n^2 omega2 rho_0^2 rho_0'.
+/// The expression M1 (n rho_0^2 + J2)/R - n^2 omega2 rho_0^2 rho_0'.
 fn reduced(r: &ReleasedLetters) -> Sym {
     let s = &r.drum;
     s.m1 / s.drum * r.inertia() - r.n.powi(2) * s.speed * r.rho.powi(2) * r.drho

@@ -15,7 +15,7 @@ pub fn claims(page: &mut Page, r: &ReleasedLetters) {
     linearised(page, r);
 }
 
-/// omega2 = omega2_0 + zeta, omega2' = zeta', u + u1.
+/// An expression with omega2 = omega2_0 + zeta, omega2' = zeta', u + u1.
 fn released(r: &ReleasedLetters, expression: Sym) -> Sym {
     let s = &r.drum;
     let [zeta, dzeta] = letters(["ζ", "ζ̇"]);
@@ -125,7 +125,7 @@ fn linearised(page: &mut Page, r: &ReleasedLetters) {
     let s = &r.drum;
     let [zeta, more, z] = r.deviation;
     let [dzeta, dmore, dz] = letters(["ζ̇", "ϱ̇′", "ż"]);
-    // Appell's equations differentiated at the programme: zeta = zeta' = 0, rho = rho_0(t)
+    // the derivatives of Appell's equations at the programmed motion: zeta = zeta' = 0, rho = rho_0(t)
     let programme = [(s.speed, s.speed), (s.dspeed, Sym::ZERO), (s.rho, r.rho), (s.drho, r.drho)];
     let deviations =
         [(s.speed, zeta), (s.dspeed, dzeta), (s.rho, more), (s.drho, dmore), (s.ddrho, dz), (s.push, r.control)];

@@ -1,4 +1,4 @@
-//! Task 1's steered rod in the paper's letters: the system of `systems/steered_rod.rs` with every datum a symbol.
+//! Task 1's steered rod in the paper's symbols: the system of `systems/steered_rod.rs` with symbolic data.
 
 use super::alphabet::{letter, letters, tidy};
 use super::general::or_undefined;
@@ -12,7 +12,7 @@ use mechanics::constrained::{Constrained, PointSystem, State};
 use symbolic::Sym;
 use systems::steered_rod::{GuidedSteeredRod, SteeredRod};
 
-/// The letters of task 1 and the steered rod written in them. In the coordinates (x1, y1, x2, y2); y points downwards.
+/// The symbols of task 1 and the steered rod in these symbols, in the coordinates (x1, y1, x2, y2); y points downwards.
 pub struct SteeredLetters {
     pub rod: GuidedSteeredRod<Sym>,
     pub m1: Sym,
@@ -34,7 +34,7 @@ pub struct SteeredLetters {
     pub mu: Sym,
 }
 
-/// The symbols, made in the calling thread.
+/// The symbols, created in the calling thread.
 impl Default for SteeredLetters {
     fn default() -> Self {
         let [m1, m2, l, g, f, drive] = letters(["m1", "m2", "l", "g", "f", "X"]);
@@ -63,7 +63,7 @@ impl Default for SteeredLetters {
     }
 }
 
-/// The directions of the reactions as the paper counts them: along the rod, across it (equal at both ends), on the guide.
+/// The unit reactions with the paper's signs: along the rod, perpendicular to it (equal at both ends), at the guide.
 type Directions = [[Sym; 4]; 3];
 
 impl SteeredLetters {
@@ -72,17 +72,17 @@ impl SteeredLetters {
         Motion::at(&self.rod, Sym::ZERO, [self.x1, self.theta], [self.dx1])
     }
 
-    /// theta' by x1', from the constraint of the middle.
+    /// theta' expressed by x1', from the constraint of the middle.
     pub fn turning(&self) -> Sym {
         self.root_of_middle(self.dtheta)
     }
 
-    /// x1' by theta', likewise.
+    /// x1' expressed by theta', from the constraint of the middle.
     pub fn speed(&self) -> Sym {
         self.root_of_middle(self.dx1)
     }
 
-    /// The constraint of the middle is linear in both velocities.
+    /// Solves the constraint of the middle, which is linear, for one velocity.
     fn root_of_middle(&self, velocity: Sym) -> Sym {
         let middle = self.middle();
         -(tidy(middle.substitute(&[(velocity, Sym::ZERO)])) / tidy(middle.diff(velocity)))
@@ -98,40 +98,40 @@ impl SteeredLetters {
         [length.map(|row| row / self.l), middle.map(|row| row / self.l), guide.map(|row| -row)]
     }
 
-    /// The forces of the constraints.
+    /// The constraint forces.
     pub fn of_constraints(&self, multipliers: [Sym; 3]) -> [Sym; 4] {
         let directions = self.directions();
         std::array::from_fn(|i| (0..3).fold(Sym::ZERO, |sum, k| sum + multipliers[k] * directions[k][i]))
     }
 
-    /// The forces of the constraints for the letters lambda_1, lambda_2, lambda.
+    /// The constraint forces for the symbols lambda_1, lambda_2, lambda.
     pub fn named_constraints(&self) -> [Sym; 4] {
         self.of_constraints([self.lambda1, self.lambda2, self.lambda])
     }
 
-    /// The reactions (R_x, R_y, R_21, R_22): the guide's on M1, those along and across the rod on both.
+    /// The reactions (R_x, R_y, R_21, R_22): of the guide on M1, along the rod and perpendicular to it on both points.
     fn reactions(&self, [rx, ry, along, across]: [Sym; 4]) -> [Sym; 4] {
         let rod = self.of_constraints([along, across, Sym::ZERO]);
         [rod[0] + rx, rod[1] + ry, rod[2], rod[3]]
     }
 
-    /// The reactions combined after the extended method.
+    /// The extended decomposition of the reactions.
     pub fn extended(&self, reactions: [Sym; 4]) -> Combined<Sym, 4, 3> {
         or_undefined(extended(self.rod.masses(), self.directions(), self.reactions(reactions)))
     }
 
-    /// The reactions combined after Painleve.
+    /// Painleve's decomposition of the reactions.
     pub fn painleve(&self, reactions: [Sym; 4]) -> Combined<Sym, 4, 3> {
         or_undefined(painleve(self.directions(), self.reactions(reactions)))
     }
 
-    /// Extended friction by the letter mu of the paper, R_x = (m1 + m2) mu.
+    /// The extended friction force, with the paper's mu: R_x = (m1 + m2) mu.
     pub fn friction(&self) -> [Sym; 4] {
         let rx = (self.m1 + self.m2) * self.mu;
         self.extended([rx, Sym::ZERO, Sym::ZERO, Sym::ZERO]).of_friction.map(tidy)
     }
 
-    /// (lambda_1, lambda_2, lambda) under the given forces and friction, by theta' and x1' as letters.
+    /// The multipliers (lambda_1, lambda_2, lambda) under the given forces and friction, in the symbols theta' and x1'.
     pub fn multipliers(&self, friction: [Sym; 4]) -> [Sym; 3] {
         let given = self.given_force();
         let force = std::array::from_fn(|i| given[i] + friction[i]);
@@ -144,7 +144,7 @@ impl SteeredLetters {
         }
     }
 
-    /// The instant with x1' and theta' as independent letters, as the paper has it before (1.88).
+    /// The state with x1' and theta' as independent symbols, as in the paper before (1.88).
     pub fn state(&self) -> State<Sym, 4> {
         let Circle { cos, sin } = self.point;
         let (place, across) = (self.motion().state.place, self.l * self.dtheta);
@@ -152,7 +152,7 @@ impl SteeredLetters {
         State { time: Sym::ZERO, place, velocity }
     }
 
-    /// The constraints of length and middle differentiated, at the accelerations of Newton's equations.
+    /// The second derivatives of the constraints of length and middle, for the accelerations of Newton's equations.
     pub fn differentiated(&self, friction: [Sym; 4]) -> [Sym; 3] {
         let (masses, given): ([Sym; 4], _) = (self.rod.masses(), self.given_force());
         let normal = self.named_constraints();
@@ -160,13 +160,13 @@ impl SteeredLetters {
         rates(&self.rod, &self.state(), acceleration)
     }
 
-    /// The constraint of the middle at the velocities of the letters x1' and theta', over -l.
+    /// The constraint of the middle for the symbols x1' and theta', divided by -l.
     pub fn middle(&self) -> Sym {
         let [_, middle, _] = self.rod.constraints(&self.state()).map(|constraint| constraint.value());
         -middle / self.l
     }
 
-    /// m x'' - X - R^n - R^tau in each coordinate.
+    /// The residuals m x'' - X - R^n - R^tau in each coordinate.
     pub fn newton(&self, acceleration: [Sym; 4], friction: [Sym; 4]) -> [Sym; 4] {
         let (masses, given): ([Sym; 4], _) = (self.rod.masses(), self.given_force());
         let normal = self.named_constraints();

@@ -1,4 +1,5 @@
-//! A repeated statement of the paper: the work of reactions with friction "differs from zero on every virtual displacement".
+//! A repeated statement of the paper: the work of reactions with friction "differs from zero on every virtual
+//! displacement".
 
 use super::alphabet::{exact, indexed};
 use super::general::dot;
@@ -7,8 +8,8 @@ use symbolic::Sym;
 
 use Condition::{NonZero, Positive, Zero};
 
-/// The statement for every displacement, refuted, and its correction, for one constraint in three coordinates: a
-/// point on a rough plane x1 = 0, with friction along x2, moved along x3.
+/// Claims that refute the statement for every displacement, and its correction, for one constraint in three
+/// coordinates: a point on a rough plane x1 = 0, with friction along x2, displaced along x3.
 pub fn nowhere_zero(page: &mut Page, entry: &'static str, says: &str) {
     let (gradient, reaction, displacement): ([Sym; 3], [Sym; 3], [Sym; 3]) =
         (indexed("f#"), indexed("R#"), indexed("δx#"));
@@ -36,7 +37,7 @@ pub fn nowhere_zero(page: &mut Page, entry: &'static str, says: &str) {
     page.correct();
 }
 
-/// The work on the displacement in the direction of the friction over the masses: sum of (R^tau)^2 / m.
+/// Claims on the work for the displacement R^tau / m: the sum of (R^tau)^2 / m.
 pub fn own_displacement(page: &mut Page, entry: &'static str, says: &str) {
     let (masses, reaction): ([Sym; 3], [Sym; 3]) = (indexed("m#"), indexed("R#"));
     let displaced = std::array::from_fn(|i| reaction[i] / masses[i]);

@@ -1,10 +1,10 @@
-//! The paper's letters with their LaTeX and dimensions, and how symbols are made of them.
+//! The symbols of the paper with their LaTeX and dimensions.
 
 use claims::alphabet::{Letter, read_by};
 use symbolic::Sym;
 
-/// (name, LaTeX, exponents of kg, m, s). A `#` stands for a digit, two for a pair of them. Letters that the paper uses twice
-/// have a name of their own for each meaning.
+/// The symbols: name, LaTeX, exponents of kg, m, s. A `#` stands for a digit, two for a pair of digits. A symbol with
+/// two meanings in the paper has two names here.
 const LETTERS: &[Letter<3>] = &[
     ("t", "t", [0, 0, 1]),
     // 1: output Y in m, funds in kg
@@ -51,7 +51,7 @@ const LETTERS: &[Letter<3>] = &[
     ("cs", r"\cos\omega t", [0, 0, 0]),
     ("sn", r"\sin\omega t", [0, 0, 0]),
     ("P₀", "p_0", [1, 1, -1]),
-    // 4: constraints arbitrary to the second order
+    // 4: constraints, arbitrary to second order
     ("m#", "m_#", [1, 0, 0]),
     ("X#", "X_#", [1, 1, -2]),
     ("q̇#", r"\dot q_#", [0, 1, -1]),
@@ -98,7 +98,7 @@ const LETTERS: &[Letter<3>] = &[
     ("Fy", r"F_y", [1, 1, -2]),
     ("W", "W", [0, 2, -2]),
     ("s", "s", [1, 0, -1]),
-    // several violations: symmetric matrices, and the triangles and diagonals of which they are made
+    // several violations: symmetric matrices, with their triangular and diagonal factors
     ("y#", "y_#", [0, 1, 0]),
     ("ẏ#", r"\dot y_#", [0, 1, -1]),
     ("ÿ#", r"\ddot y_#", [0, 1, -2]),
@@ -148,7 +148,7 @@ const LETTERS: &[Letter<3>] = &[
     ("X̃", r"\tilde X", [1, 2, -2]),
     ("Ỹ", r"\tilde Y", [1, 2, -2]),
     ("Z̃", r"\tilde Z", [1, 2, -2]),
-    // the particle that moves inside the body: place, velocity, acceleration, velocity of leaving
+    // the particle moving in the body: position, velocity, acceleration, relative velocity of ejection
     ("ξ#", r"\xi_#", [0, 1, 0]),
     ("ξ̇#", r"\dot\xi_#", [0, 1, -1]),
     ("ξ̈#", r"\ddot\xi_#", [0, 1, -2]),
@@ -194,7 +194,7 @@ const LETTERS: &[Letter<3>] = &[
     ("bᴬ", "b", [1, 2, -1]),
 ];
 
-/// The letters of the drive of section 6, as completed here: (name, LaTeX, exponents of kg, m, s, A).
+/// The symbols of the completed drive of section 6: name, LaTeX, exponents of kg, m, s, A.
 const DRIVE: &[Letter<4>] = &[
     ("E₀", "E_0", [1, 2, -3, -1]),
     ("Ωᵈ", r"\Omega", [0, 0, -1, 0]),
@@ -231,7 +231,7 @@ pub fn int(n: i64) -> Sym {
     Sym::int(n)
 }
 
-/// sum of a_i b_i
+/// The scalar product of a and b.
 pub fn dot<const N: usize>(a: [Sym; N], b: [Sym; N]) -> Sym {
     (0..N).fold(Sym::ZERO, |sum, i| sum + a[i] * b[i])
 }

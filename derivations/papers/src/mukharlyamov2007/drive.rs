@@ -9,12 +9,13 @@ use systems::crank_drive::{Circuit, CrankDrive};
 
 use Condition::{Equal, Zero};
 
-/// The voltage of a diode: the slope of its content.
+/// The voltage of a diode: the derivative of its content by the current.
 pub fn voltage(drive: &CrankDrive<Sym>, current: Sym) -> Sym {
     drive.diode(Tangent::variable(current)).slope
 }
 
-/// Only q3 = q4 - q5 of the charges acts: no force depends on q1, q2, nor on q4 and q5 but by their difference.
+/// The conditions that the equations depend on the charges only through q3 = q4 - q5: no force depends on q1, q2, nor
+/// on q4 and q5 except by their difference.
 pub fn close_in_nine(drive: &CrankDrive<Sym>, at: &State<Sym, 6>) -> Vec<Condition> {
     let instant = Instant::of(drive, at);
     let [q1, q2, q4, q5, ..] = at.place;
@@ -25,7 +26,7 @@ pub fn close_in_nine(drive: &CrankDrive<Sym>, at: &State<Sym, 6>) -> Vec<Conditi
     (0..6).flat_map(of_one).collect()
 }
 
-/// d/dt of the energy along the motion, whatever lambda: the source's power less the heat, and lambda f'.
+/// The condition on the rate of the energy along the motion, for any lambda: source power minus heat plus lambda f'.
 pub fn balance(drive: &CrankDrive<Sym>, at: &State<Sym, 6>, accelerations: [Sym; 6], lambda: Sym) -> Condition {
     let instant = Instant::of(drive, at);
     let moving =
@@ -35,7 +36,7 @@ pub fn balance(drive: &CrankDrive<Sym>, at: &State<Sym, 6>, accelerations: [Sym;
         + drive.mechanism.kinetic([f[4], f[5]])
         + (q[2] - q[3]).squared().half() / Tangent::fixed(drive.circuit.c3)
         + drive.mechanism.potential(q[4]);
-    // sum of f times Lagrange's equations
+    // the sum of rates times Lagrange's equations
     let motion = (0..6).fold(Sym::ZERO, |sum, i| {
         let inertia = (0..6).fold(Sym::ZERO, |sum, j| sum + instant.mass[i][j] * accelerations[j]);
         sum + at.velocity[i] * (inertia - instant.force[i] - lambda * instant.kinematics.rows[0][i])
@@ -44,7 +45,7 @@ pub fn balance(drive: &CrankDrive<Sym>, at: &State<Sym, 6>, accelerations: [Sym;
     Equal(energy.slope - motion, source - heat(drive, at.velocity) + lambda * instant.kinematics.rate[0])
 }
 
-/// The power that resistances, diodes and bearings take, W.
+/// The power dissipated in resistances, diodes and bearings, W.
 pub fn heat(drive: &CrankDrive<Sym>, [f1, f2, f4, f5, f6, f7]: [Sym; 6]) -> Sym {
     let Circuit { r1, r2, r4, r5, b6, b7, .. } = drive.circuit;
     let (half_sum, half_gap) = ((f4 + f2).half(), (f4 - f2).half());

@@ -1,8 +1,9 @@
-//! The general theory's system: three coordinates with masses, a geometric and a kinematic constraint, both arbitrary to
-//! the second order at the place considered, and neither of them kept there.
+//! The system of the general theory: three coordinates with masses, a geometric and a kinematic constraint, both
+//! arbitrary to second order at the considered position and possibly violated there.
 //!
-//! The place is the origin. The equations of motion depend on f(q, t) by its value and its derivatives to the second order, on
-//! phi(q, q', t) by those to the first and, in the velocities, to the second: all are symbols.
+//! The position is the origin. The equations of motion depend on f(q, t) through its value and derivatives up to second
+//! order; on phi(q, q', t) through its value, its first derivatives and, in the velocities, its second ones. All of
+//! these are symbols.
 
 use super::alphabet::{indexed, letter};
 use field::Over;
@@ -10,7 +11,7 @@ use mechanics::constrained::multipliers::{Reaction, leading_to};
 use mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 use symbolic::Sym;
 
-/// The system.
+/// The system with both constraints.
 #[derive(Clone, Copy, Debug)]
 pub struct General;
 
@@ -22,7 +23,7 @@ fn lifted<S: Over<Sym>, const N: usize>(pattern: &str) -> [S; N] {
     indexed(pattern).map(S::lift)
 }
 
-/// sum over i <= j of the symmetric second derivatives
+/// The quadratic form of symbolic second derivatives, sum over i <= j.
 fn quadratic<S: Over<Sym>>(stem: &str, x: [S; 3]) -> S {
     let mut sum = S::zero();
     for i in 0..3 {
@@ -69,13 +70,13 @@ impl Constrained<3, 2> for General {
     }
 }
 
-/// The origin, with velocities by the letters q_i'.
+/// The state at the origin, with the symbols q_i' as velocities.
 pub fn instant() -> State<Sym, 3> {
     State { time: Sym::ZERO, place: [Sym::ZERO; 3], velocity: indexed("q̇#") }
 }
 
-/// Accelerations and multipliers with these rates of the constraints; undefined where they cannot be solved, and the claims
-/// about them are then red.
+/// Accelerations and multipliers for given rates of the constraints; undefined, so that claims fail, if they cannot be
+/// solved.
 pub fn led(wanted: [Sym; 2]) -> Reaction<Sym, 3, 2> {
     let undefined = Reaction { acceleration: [Sym::UNDEFINED; 3], multipliers: [Sym::UNDEFINED; 2] };
     leading_to(&General, &instant(), indexed("X#"), wanted).unwrap_or(undefined)

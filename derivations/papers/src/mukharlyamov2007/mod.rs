@@ -1,21 +1,22 @@
 //! R. G. Mukharlyamov: control of the dynamics of systems with programmed constraints. 2007 (in Russian).
 //!
 //! # Overview
-//! The paper's sections in order, each a file of claims or several. The general theory is judged on systems that are
-//! arbitrary to the second order (`general.rs`), the analogies on one law of growth (`systems/growth.rs`), section 7 on a
-//! body with a gyroscope whose equations come from its angular momentum and its force function
-//! (`systems/variable_top.rs`, `top.rs`): the right sides h, the torques, V and its derivative are differentiated from
-//! these, with A(t), C(t), M(t), z_c(t) as tangents.
+//! The paper's sections in order, each in one or several files of claims. The general theory is judged for systems that
+//! are arbitrary to second order (`general.rs`), the analogies for a law of variable inertia
+//! (`systems/variable_inertia.rs`), and section 7 for a body with a gyroscope, whose equations follow from its angular
+//! momentum and its force function (`systems/variable_top.rs`, `top.rs`). The right-hand sides h, the torques, V and
+//! its derivative are obtained from these by differentiation, with A(t), C(t), M(t), z_c(t) as dual numbers.
 //!
-//! Damaged in the text at hand, and restored here: the index of lambda in (7); 4A for 4a in the first inequality;
-//! f_3 = r - r_0 in V.
+//! Damaged in the available text and restored here: the index of lambda in (7); 4A for 4a in the first inequality; f_3
+//! = r - r_0 in V.
 //!
 //! # Key results
-//! Multipliers that make violations obey any law exist and are found (10), exactly. The law (13) of the violations is a programme:
-//! it does not follow from d'Alembert's and Lagrange's principle. (19) has a wrong letter; h_1, h_2, h_3 and the
-//! torques of the variable mass miss terms; on the permanent rotation itself no torques keep the integrals (17) unless the
-//! data obey two conditions. (21) has a wrong sign. V has a wrong coefficient and counts the field three times; corrected it
-//! proves stability, never asymptotic stability: the axial speed is constant on every motion.
+//! Multipliers for which violations satisfy any prescribed law exist and are given exactly by (10). The law (13) of the
+//! violations is a prescription: it does not follow from the principle of d'Alembert and Lagrange. (19) has a wrong
+//! symbol; h_1, h_2, h_3 and the torques of the variable mass lack terms; on the permanent rotation no torques preserve
+//! the integrals (17) unless the data satisfy two conditions. (21) has a wrong sign. V has a wrong coefficient and
+//! counts the field three times. The corrected V proves stability, but never asymptotic stability: the axial speed is
+//! constant on every motion.
 
 mod alphabet;
 pub mod drive;
@@ -81,7 +82,7 @@ pub const PAPER: Paper = Paper {
     page,
 };
 
-/// The page of the paper.
+/// All claims of the paper.
 pub fn page() -> Page {
     let mut page = Page::of(PAPER.key, dimension);
     section1::claims(&mut page);

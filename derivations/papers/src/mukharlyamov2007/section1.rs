@@ -1,4 +1,5 @@
-//! Sections 1 to 3: production, learning, a joint and a point of variable mass as one law of growth.
+//! Sections 1 to 3: production, learning, a joint and a point of variable mass as examples of one law of variable
+//! inertia.
 
 use super::alphabet::{int, letter, letters};
 use claims::{Condition, Line, Page};
@@ -19,7 +20,7 @@ pub fn claims(page: &mut Page) {
     runs(page);
 }
 
-/// The residual of a law along y(t), differentiated by the symbol t.
+/// The residual of a law along y(t), by derivatives with respect to the symbol t.
 fn along(law: &impl Growth<Given = Sym>, y: Sym, speed: Sym, rate: impl Fn(Sym) -> Sym) -> Sym {
     law.residual(letter("t"), [y, speed, rate(speed)])
 }
@@ -28,7 +29,7 @@ fn by_time(e: Sym) -> Sym {
     e.diff(letter("t"))
 }
 
-/// (1)
+/// Claims on (1).
 fn production(page: &mut Page) {
     let [y, dy, ddy, m, dm, wear, supply] = letters(["Y", "Ẏ", "Ÿ", "mᶠ", "ṁᶠ", "δ", "uᶠ"]);
     let plant = Plant { fund: m, fund_rate: dm, wear, supply };
@@ -43,7 +44,7 @@ fn production(page: &mut Page) {
         .follows([Zero(along(&plant, y, steady, by_time))]);
 }
 
-/// (2)
+/// Claims on (2).
 fn learning(page: &mut Page) {
     let [i, di, ddi, inertia, denial, permeability, potential] = letters(["I", "İ", "Ï", "L", "τ", "G", "Mᴵ"]);
     let law = Learning { inertia, denial, permeability, potential };
@@ -54,7 +55,7 @@ fn learning(page: &mut Page) {
             inertia * ddi + (denial - di) * di + i / permeability,
             potential,
         )]);
-    // d/dt (L I') with L(t)
+    // the rate d/dt (L I') with L(t)
     let change = letter("L̇");
     let grown = Tangent::moving(inertia, change) * Tangent::moving(di, ddi);
     let around = |denial: Sym| grown.slope + denial * di + i / permeability - potential;
@@ -88,7 +89,7 @@ fn learning(page: &mut Page) {
         .follows([Zero(along(&Learning { denial: Sym::ZERO, ..open }, i, runaway, by_time))]);
 }
 
-/// (3), from Lagrange's equation of a link with a load that moves along it.
+/// Claims on (3), from Lagrange's equation of a link with a moving load.
 fn joint(page: &mut Page) {
     let [link, load, distance, rate, gravity, motor] = letters(["J₀", "m", "ρ", "ρ̇", "g", "Mᴶ"]);
     let [angle, speed, acceleration] = letters(["φ", "φ̇", "φ̈"]);
@@ -124,7 +125,7 @@ fn joint(page: &mut Page) {
     .follows([Equal(joint.residual(Sym::ZERO, [angle, speed, acceleration]), derived)]);
 }
 
-/// (4) and its assumption on the ejected mass.
+/// Claims on (4) and its assumption on the ejected mass.
 fn point(page: &mut Page) {
     let [x, dx, ddx, m, dm, beta, k, push, u] = letters(["x", "ẋ", "ẍ", "m", "ṁ", "β", "k", "Rᶠ", "u"]);
     let law = VariablePoint { mass: m, mass_rate: dm, resistance: beta, stiffness: k, push };
@@ -135,7 +136,7 @@ fn point(page: &mut Page) {
         r"(4) has the form of (1) with $w=\beta\dot x+kx$, $u=R$, which is the program's law of the point",
     )
     .defines([Line::equation(law.residual(Sym::ZERO, [x, dx, ddx]), left, push)]);
-    // momentum of the point and of the ejected mass
+    // the momentum of the point and of the ejected mass
     let carried = Tangent::moving(m, dm) * Tangent::moving(dx, ddx);
     let balance = carried.slope - dm * u + beta * dx + k * x - push;
     page.claim("eq4", "variable-mass", "(4) is the equation of a point of variable mass without other forces. It is judged by the momentum of the point and of the mass that has left with the velocity $u$ in space")
@@ -146,7 +147,7 @@ fn point(page: &mut Page) {
     page.correct();
 }
 
-/// Closed forms of (4).
+/// Claims on closed forms of (4).
 fn closed_forms(page: &mut Page) {
     let [t, m, dm, omega, x0, x1, x2] = letters(["t", "m", "ṁ", "ω", "x₀", "x₁", "x₂"]);
     let [e, cos, sin, beta] = letters(["E", "cs", "sn", "β"]);
@@ -182,7 +183,7 @@ fn closed_forms(page: &mut Page) {
         .follows([Zero(along(&resisted, x, by_time(x), by_time))]);
 }
 
-/// The form in which the laws are integrated.
+/// Claims on the form in which the laws are integrated.
 fn runs(page: &mut Page) {
     page.claim("eq4", "runs", r"The program integrates (1)-(4) solved for the acceleration, $\ddot y=-(\dot m\dot y+w-u)/m$ in the letters of (1)")
         .defines([]);

@@ -1,4 +1,4 @@
-//! Section 4: constraints, Lagrange's equations with multipliers, violations and their programme, (5)-(10).
+//! Section 4: constraints, Lagrange's equations with multipliers, violations and their prescribed law, (5)-(10).
 
 use super::alphabet::{dot, exact, indexed, int, letter, letters};
 use super::general::{General, instant, led};
@@ -23,7 +23,7 @@ pub fn claims(page: &mut Page) {
     instability(page);
 }
 
-/// (5), (6)
+/// Claims on (5), (6).
 fn constraints(page: &mut Page) {
     let at = instant();
     let [geometric, _] = violation(&General, &at).rate;
@@ -35,12 +35,12 @@ fn constraints(page: &mut Page) {
         .defines([]);
 }
 
-/// (7), (8)
+/// Claims on (7), (8).
 fn multipliers(page: &mut Page) {
     let displacement: [Sym; 3] = indexed("δq#");
     let [row, across] = jacobian(&General, &instant());
     let missing: [Sym; 3] = indexed("R#");
-    // displacements that the constraints leave, solved for the first two by their minor
+    // virtual displacements, by solving the constraints for the first two components
     let minor = row[0] * across[1] - row[1] * across[0];
     let lambda = [missing[0] * across[1] - missing[1] * across[0], missing[1] * row[0] - missing[0] * row[1]];
     let free = [row[1] * across[2] - row[2] * across[1], row[2] * across[0] - row[0] * across[2], minor];
@@ -96,7 +96,7 @@ fn multipliers(page: &mut Page) {
         .defines([]);
 }
 
-/// (9), (10)
+/// Claims on (9), (10).
 fn programme(page: &mut Page) {
     let at = instant();
     let found = violation(&General, &at);
@@ -130,7 +130,7 @@ fn programme(page: &mut Page) {
     };
     let undefined = Reaction { acceleration: [Sym::UNDEFINED; 3], multipliers: [Sym::UNDEFINED; 2] };
     let stabilised = programmed(&General, &law, &at, forced).unwrap_or(undefined);
-    // on the constraints: f = 0, f' = 0, phi = 0, by the letters of their values
+    // on the constraints: f = 0, f' = 0, phi = 0, as values of these symbols
     let [f, ft, phi] = letters(["f", "ft", "ϕ"]);
     let kept = [(f, Sym::ZERO), (ft, ft - found.rate[0]), (phi, phi - found.rate[1])];
     page.claim("eq10", "trivial", r"With $Y=-c\dot y-ky$ and any matrices, the multipliers are Lagrange's wherever both constraints and the rate of the geometric one are kept. A motion that begins there is that of Lagrange's equations")
@@ -141,7 +141,7 @@ fn programme(page: &mut Page) {
         }));
 }
 
-/// The drift.
+/// Claims on the drift of violations.
 fn instability(page: &mut Page) {
     let at = instant();
     let moved = rates(&General, &at, led([Sym::ZERO; 2]).acceleration);
@@ -180,10 +180,10 @@ fn instability(page: &mut Page) {
     euler(page);
 }
 
-/// One step of Euler's method on a circle: the error that the method adds.
+/// Claims on one step of Euler's method on a circle: the error of the method.
 fn euler(page: &mut Page) {
     let [x, y, u, v, h] = letters(["x₁", "x₂", "q̇1", "q̇2", "h"]);
-    // f = (x^2 + y^2 - rho^2)/2 without forces: x'' = lambda x with x.x'' = -v^2, kept: x.x' = 0
+    // f = (x^2 + y^2 - rho^2)/2 without forces: x'' = lambda x with x.x'' = -v^2 and x.x' = 0
     let f = |x: Sym, y: Sym| (x * x + y * y) / int(2);
     let square = u * u + v * v;
     let lambda = -(square / (x * x + y * y));

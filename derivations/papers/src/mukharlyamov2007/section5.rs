@@ -26,7 +26,7 @@ pub fn claims(page: &mut Page) {
     stability(page);
 }
 
-/// (11)
+/// Claims on (11).
 fn displacements(page: &mut Page) {
     let at = instant();
     let rows = jacobian(&General, &at);
@@ -39,7 +39,8 @@ fn displacements(page: &mut Page) {
         .follows((0..3).flat_map(|i| [Equal(by_velocity[i][0], rows[0][i]), Equal(by_velocity[i][1], rows[1][i])]));
 }
 
-/// The equations by the principle for coordinates q and redundant y: E_i and E_y are d/dt dT/dq' - dT/dq - ... for each.
+/// Claims on the principle for coordinates q and redundant y: E_i and E_y are d/dt dT/dq' - dT/dq - ... for each of
+/// them.
 fn principle(page: &mut Page) {
     let [e1, e2, ey, f1, f2, lambda] = letters(["E1", "E2", "Ey", "f1", "f2", "λ"]);
     let work = [Zero(e1 + f1 * ey), Zero(e2 + f2 * ey)];
@@ -70,10 +71,10 @@ fn principle(page: &mut Page) {
         .by_combination([(Equal(e1, force), vec![], vec![(0, int(1)), (1, -f1)])]);
 }
 
-/// The expansions of T, P and D.
+/// Claims on the expansions of T, P and D.
 fn expansion(page: &mut Page) {
     let [y, dy, c, dy_1, dyy, mixed] = letters(["y", "ẏ", "c₀", "Dy", "Dyy", "Dyẏ"]);
-    // D - D0 to the second order; the stated conditions leave three coefficients free
+    // D - D0 to second order; the stated conditions leave three coefficients free
     let d = dy_1 * y + (dyy * y * y + c * dy * dy).half() + mixed * y * dy;
     let origin = [(y, Sym::ZERO), (dy, Sym::ZERO)];
     let at_rest = |e: Sym| e.substitute(&origin);
@@ -90,11 +91,11 @@ fn expansion(page: &mut Page) {
     page.correct();
 }
 
-/// Two coordinates and one redundant variable, with energies arbitrary to the order that matters.
+/// Two coordinates and one redundant variable, with energies arbitrary to the relevant order.
 struct Model {
     velocity: [Sym; 3],
     acceleration: [Sym; 3],
-    /// d/dt dL/dq' - dL/dq + dD/dq' for q1, q2, y at q = 0
+    /// The expressions d/dt dL/dq' - dL/dq + dD/dq' for q1, q2, y at q = 0.
     left: [Sym; 3],
 }
 
@@ -104,7 +105,7 @@ impl Model {
         let fixed = |s: Sym| -> Twice { Tangent::fixed(Tangent::fixed(s)) };
         let [q1, q2, y] = letters(["q1", "q2", "y"]);
         let (velocity, acceleration) = (letters(["q̇1", "q̇2", "ẏ"]), letters(["q̈1", "q̈2", "ÿ"]));
-        // a function to the first order in the coordinates
+        // a function to first order in the coordinates
         let first = |value: &str, by: [&str; 2], [x1, x2]: [Twice; 2]| {
             let [at, by1, by2] = [letter(value), letter(by[0]), letter(by[1])].map(fixed);
             at + by1 * x1 + by2 * x2
@@ -130,7 +131,7 @@ impl Model {
         Model { velocity, acceleration, left }
     }
 
-    /// (14)
+    /// Claims on (14).
     fn motion(&self, page: &mut Page) {
         let [v1, v2, dy] = self.velocity;
         let [m1, m11, m12, m21, d, c1, a1, k1, p1, push, f1, lambda, y] =
@@ -146,7 +147,7 @@ impl Model {
             .follows(self.left[..2].iter().flat_map(|e| [y, dy].map(|of| Zero(e.diff(of).substitute(&still)))));
     }
 
-    /// (15)
+    /// Claims on (15).
     fn perturbations(&self, page: &mut Page) {
         let [v1, v2, dy] = self.velocity;
         let [y, a, a1, a2, c, c1, c2, k] = letters(["y", "a", "a1", "a2", "c₀", "c1", "c2", "k"]);
@@ -172,7 +173,7 @@ impl Model {
     }
 }
 
-/// The series of the multipliers.
+/// Claims on the series of the multipliers.
 fn multipliers(page: &mut Page) {
     let rows = jacobian(&General, &instant());
     let masses: [Sym; 3] = General.masses();
@@ -189,7 +190,7 @@ fn multipliers(page: &mut Page) {
         .follows((0..2).map(|k| Equal(pushed[k], wanted[k])));
 }
 
-/// a y'' + c y' + k y = 0
+/// Claims on the stability of a y'' + c y' + k y = 0.
 fn stability(page: &mut Page) {
     page.claim("section5-stability", "necessary", "Stabilisation of the constraints (5) means asymptotic stability of the trivial solution of (15). The condition is necessary and sufficient by definition, as long as the multipliers exist")
         .note("Lyapunov's theorem on a part of the variables needs what the sentence lists ($V$ positive definite, its derivative negative definite, an infinitely small upper limit, all in $y,\\dot y$) and that $q,\\dot q$ exist for all time. $y$ and $\\dot y$ have an infinitely small upper limit in themselves.")

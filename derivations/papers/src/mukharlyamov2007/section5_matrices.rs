@@ -1,7 +1,8 @@
 //! Section 5, several constraints: a Lyapunov function of (15) with symmetric positive definite matrices.
 //!
-//! Every step is an identity in the entries of three by three matrices; none of them counts the rows. A positive definite
-//! c is G D G' with ones on the diagonal of the triangle G and positive D, and a = G (M diag(alpha) M') G' likewise.
+//! Every step is an identity in the entries of 3 x 3 matrices that does not depend on their dimension. A positive
+//! definite c is G D G', where the triangular G has a unit diagonal and D is positive, and a = G (M diag(alpha) M') G'
+//! likewise.
 
 use super::alphabet::{dot, indexed, int, letter, letters};
 use claims::{Condition, Page};
@@ -21,7 +22,7 @@ pub fn claims(page: &mut Page) {
     gain(page);
 }
 
-/// A symmetric matrix of letters.
+/// A symmetric matrix of symbols.
 fn symmetric(pattern: &str) -> Matrix {
     let entry = |i: usize, j: usize| {
         let indices = [i.min(j) + 1, i.max(j) + 1].map(|index| index.to_string());
@@ -30,7 +31,7 @@ fn symmetric(pattern: &str) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
 }
 
-/// A lower triangle with ones on its diagonal.
+/// A lower triangular matrix with a unit diagonal.
 fn triangle(names: [&str; 3]) -> Matrix {
     let [b, c, d] = letters(names);
     let (one, none) = (int(1), Sym::ZERO);
@@ -45,18 +46,18 @@ fn of(m: &Matrix, x: Vector) -> Vector {
     m.map(|row| dot(row, x))
 }
 
-/// x'Mx
+/// The quadratic form x'Mx.
 fn form(m: &Matrix, x: Vector) -> Sym {
     dot(x, of(m, x))
 }
 
-/// L diag(d) L'
+/// The product L diag(d) L'.
 fn product(l: &Matrix, d: Vector) -> Matrix {
     let entry = |i: usize, j: usize| (0..N).fold(Sym::ZERO, |sum, k| sum + l[i][k] * d[k] * l[j][k]);
     std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
 }
 
-/// V and its rate.
+/// Claims on V and its rate.
 fn function(page: &mut Page) {
     let [a, c, k] = ["aʸ##", "cʸ##", "kʸ##"].map(symmetric);
     let (y, dy, ddy): (Vector, Vector, Vector) = (indexed("y#"), indexed("ẏ#"), indexed("ÿ#"));
@@ -79,7 +80,7 @@ fn function(page: &mut Page) {
         .follows([Equal(v, (form(&a, moved) + form(&k, y) + eps * rest(y)).half())]);
 }
 
-/// A bound on the gain epsilon.
+/// Claims on a bound of the gain epsilon.
 fn gain(page: &mut Page) {
     let (lower, inner) = (triangle(["g21", "g31", "g32"]), triangle(["n21", "n31", "n32"]));
     let (d, alpha): (Vector, Vector) = (indexed("d#"), indexed("α#"));

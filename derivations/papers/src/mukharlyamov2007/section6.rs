@@ -1,5 +1,5 @@
-//! Section 6: the drive of a crank mechanism. The paper gives its constraint and no equations: the drive of
-//! `systems/crank_drive.rs` completes it.
+//! Section 6: the drive of a crank mechanism. The paper gives its constraint but no equations; `systems/crank_drive.rs`
+//! completes it.
 
 use super::alphabet::{int, letter, letters};
 use super::drive::{balance, close_in_nine, heat};
@@ -58,7 +58,7 @@ fn constraint(page: &mut Page) {
         )]);
 }
 
-/// The drive with a letter for every datum.
+/// The drive with a symbol for every datum.
 fn drive() -> CrankDrive<Sym> {
     let [l1, l2, l4, l5] = letters(["Lᵈ1", "Lᵈ2", "Lᵈ4", "Lᵈ5"]);
     let [r1, r2, r4, r5] = letters(["Rᵈ1", "Rᵈ2", "Rᵈ4", "Rᵈ5"]);
@@ -88,7 +88,7 @@ fn drive() -> CrankDrive<Sym> {
     CrankDrive { circuit, mechanism: CrankSlider { inertia, mass, crank, rod, weight } }
 }
 
-/// Theorems on the completed drive.
+/// Claims on the completed drive.
 fn completed(page: &mut Page) {
     let drive = drive();
     let at = State {

@@ -1,4 +1,5 @@
-//! Section 7: the equations of motion (16) from the momentum of body, moving particles and gyroscope; the integrals (17).
+//! Section 7: the equations of motion (16) from the momentum of body, moving particles and gyroscope; the integrals
+//! (17).
 
 use super::alphabet::{indexed, int, letter, letters};
 use super::top::{TopLetters, vector};
@@ -17,8 +18,8 @@ pub fn claims(page: &mut Page, s: &TopLetters) {
 
 type Moving = Vector3<Tangent<Sym>>;
 
-/// (16): a rigid part, a particle of mass m at xi that moves inside it with its mass leaving at the velocity w relative to
-/// the body, and the gyroscope. A, B, C belong to all of it at the instant.
+/// Claims on (16): a rigid part, a particle of mass m that moves in it at the position xi while mass leaves it with the
+/// relative velocity w, and the gyroscope. A, B, C are the moments of the whole at the instant.
 fn equations(page: &mut Page, s: &TopLetters) {
     let (m, dm) = (letter("m"), letter("ṁ"));
     let [place, speed, acceleration, leaving]: [Vector3<Sym>; 4] =
@@ -35,7 +36,7 @@ fn equations(page: &mut Page, s: &TopLetters) {
     let mass = Tangent::moving(m, dm);
     let gyroscope = Vector3::new(Sym::ZERO, Sym::ZERO, now.gyroscope).map(Tangent::fixed);
     let momentum = rigid * turning + at.cross(&(turning.cross(&at) + inside)) * mass + gyroscope;
-    // the ejected mass carries its momentum away
+    // the momentum carried away by the ejected mass
     let taken = place.cross(&(spin.cross(&place) + leaving)) * dm;
     let moment = vector(["X", "Yᴹ", "Z"]);
     let derived = absolute_rate(momentum, spin) - taken - moment;
@@ -68,7 +69,7 @@ fn equations(page: &mut Page, s: &TopLetters) {
     ]);
 }
 
-/// (17)
+/// Claims on (17).
 fn integrals(page: &mut Page, s: &TopLetters) {
     let now = s.now();
     let [f1, f2, f3] = s.printed_integrals();

@@ -1,4 +1,5 @@
-//! Section 7: the perturbation equations, and the linear equations (18) for the control torques with their right sides h.
+//! Section 7: the perturbation equations, and the linear equations (18) for the control torques with right-hand sides
+//! h.
 
 use super::alphabet::{exact, int, letter, letters};
 use super::top::{TopLetters, combination, half, vector};
@@ -16,7 +17,7 @@ pub fn claims(page: &mut Page, s: &TopLetters) {
     right_sides(page, s);
 }
 
-/// The unnumbered equations before (18).
+/// Claims on the unnumbered equations before (18).
 fn perturbations(page: &mut Page) {
     let [f1, k11, c1, df1] = letters(["f₁", "k₁₁", "C₁", "ḟ₁"]);
     page.claim(
@@ -33,7 +34,7 @@ fn perturbations(page: &mut Page) {
     page.correct();
 }
 
-/// The rates of f_1, f_2, f_3 under the torques X~, Y~, Z~ with gamma' free.
+/// The rates of f_1, f_2, f_3 under the torques X~, Y~, Z~, with arbitrary gamma'.
 fn found(s: &TopLetters, moment: Vector3<Sym>, vertical_rate: Vector3<Sym>) -> Integrals<Sym> {
     rates(&s.top, &s.at, s.aim, moment, vertical_rate)
 }
@@ -42,7 +43,7 @@ fn free() -> Vector3<Sym> {
     vector(["Γ1", "Γ2", "Γ3"])
 }
 
-/// (18): the left sides.
+/// Claims on the left-hand sides of (18).
 fn system(page: &mut Page, s: &TopLetters) {
     let moment = vector(["X̃", "Ỹ", "Z̃"]);
     let (with, without) = (found(s, moment, free()), found(s, Vector3::zeros(), free()));

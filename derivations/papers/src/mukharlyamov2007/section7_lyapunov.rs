@@ -18,7 +18,7 @@ pub fn claims(page: &mut Page, s: &TopLetters) {
     linearised(page, s);
 }
 
-/// The letters of V: N = C r_0 + nu, the form's coefficient of x_4^2, the discriminant.
+/// The terms of V: N = C r_0 + nu, the coefficient of x_4^2 in the form, the discriminant.
 #[derive(Clone, Copy, Debug)]
 pub struct Bundle {
     tide: Sym,
@@ -26,7 +26,7 @@ pub struct Bundle {
     length: Sym,
 }
 
-/// A, C, C r_0 + nu.
+/// The symbols A, C, C r_0 + nu.
 pub fn body() -> [Sym; 3] {
     let [a, c, nu, r0] = letters(["A", "C", "ν", "r₀"]);
     [a, c, c * r0 + nu]
@@ -43,7 +43,7 @@ impl Bundle {
         Bundle { tide: s.tide, integrals: s.printed_integrals(), length: gamma.dot(&gamma) - int(1) }
     }
 
-    /// V with a coefficient of f_3 and a value of omega^2; f_3 means r - r_0, as its dimension requires.
+    /// V for a coefficient of f_3 and a value of omega^2; f_3 means r - r_0, as its dimension requires.
     fn value(&self, of_axial: Sym, square: Sym) -> Sym {
         let ([a, c, n], [f1, f2, _]) = (body(), self.integrals);
         let f3 = letter("r") - letter("r₀");
@@ -54,14 +54,14 @@ impl Bundle {
             + int(3) / int(4) * square * (a - c) * self.length * self.length
     }
 
-    /// V with the right coefficients, less its value on the permanent rotation, in x.
+    /// V with the correct coefficients, minus its value at the permanent rotation, in terms of x.
     pub fn corrected(&self) -> Sym {
         let [a, c, n] = body();
         let v = perturbed(self.value(c * (n / a - int(2) * letter("r₀")), self.tide / int(3)));
         v - unperturbed(v)
     }
 
-    /// (C r_0 + nu)^2/(2A) + 3 omega^2 (A - C) - M g z_c with omega^2 = g/R.
+    /// The coefficient (C r_0 + nu)^2/(2A) + 3 omega^2 (A - C) - M g z_c with omega^2 = g/R.
     pub fn of_directions(&self) -> Sym {
         let [a, c, n] = body();
         n * n / (int(2) * a) + self.tide * (a - c) - weight()
@@ -79,13 +79,13 @@ impl Bundle {
         self.tide * (a - c) / int(4)
     }
 
-    /// (C r_0 + nu)^2 - 4A (M g z_c - 3 omega^2 (A - C)).
+    /// The discriminant (C r_0 + nu)^2 - 4A (M g z_c - 3 omega^2 (A - C)).
     pub fn discriminant(&self) -> Sym {
         let [a, c, n] = body();
         n * n - int(4) * a * (weight() - self.tide * (a - c))
     }
 
-    /// The quadratic form.
+    /// The quadratic form of V.
     pub fn quadratic(&self) -> Sym {
         let ([a, c, n], [x1, x2, x3, x4, x5, x6]) = (body(), perturbations());
         a * (x1 * x1 + x2 * x2) + c * c / a * x3 * x3 + self.of_directions() * (x4 * x4 + x5 * x5 + x6 * x6)
@@ -93,7 +93,7 @@ impl Bundle {
             - n * c / a * x3 * x6
     }
 
-    /// Whether the terms of the first order cancel.
+    /// Claims on the terms of first order, which must cancel.
     fn first_order(&self, page: &mut Page) {
         let ([a, c, n], [_, _, x3, _, _, x6]) = (body(), perturbations());
         let slope = |v: Sym, x: Sym| unperturbed(perturbed(v).diff(x));
@@ -129,7 +129,7 @@ impl Bundle {
             .follows([Equal(slope(printed, x3), c * n / a), Equal(slope(printed, x6), int(4) * self.tide * (a - c))]);
     }
 
-    /// The quadratic form, and the terms of higher order.
+    /// Claims on the quadratic form and the terms of higher order.
     fn form(&self, page: &mut Page) {
         let ([a, c, _], [_, _, _, x4, x5, x6]) = (body(), perturbations());
         let square = x4 * x4 + x5 * x5 + x6 * x6;
@@ -139,7 +139,7 @@ impl Bundle {
             .follows([Equal(self.corrected(), self.quadratic() + left)]);
     }
 
-    /// Definiteness of the form by squares.
+    /// Claims on the definiteness of the form, by completing squares.
     fn definite(&self, page: &mut Page) {
         let ([a, c, n], [x1, x2, x3, x4, x5, x6]) = (body(), perturbations());
         let shift = |x: Sym, y: Sym, by: Sym| (x - by * y).powi(2);
@@ -166,14 +166,14 @@ impl Bundle {
             .follows([Zero(self.along(v))]);
     }
 
-    /// The rate of a function of x along (21) with its parameters as they are at the instant.
+    /// The rate of a function of x along (21), with constant parameters.
     pub fn along(&self, v: Sym) -> Sym {
         let moving = field(&TopLetters::default()).map(perturbed);
         perturbations().iter().zip(moving).fold(Sym::ZERO, |sum, (&x, rate)| sum + v.diff(x) * rate)
     }
 }
 
-/// The first of the four.
+/// Claims on the first of the four inequalities.
 fn inequality(page: &mut Page, s: &TopLetters) {
     let [a, c, n] = body();
     let with = |square: Sym| n * n - int(4) * a * (weight() - int(3) * square * (a - c));
@@ -211,7 +211,8 @@ fn inequality(page: &mut Page, s: &TopLetters) {
     page.correct();
 }
 
-/// det(sigma - L) of the linearised equations in x1, x2, x4, x5, and the rates of x3, x6, which are zero.
+/// The characteristic matrix sigma - L of the linearised equations in x1, x2, x4, x5: its determinant; and the rates of
+/// x3, x6, which are zero.
 fn linear_matrix(s: &TopLetters) -> (Sym, [Sym; 2]) {
     let x = perturbations();
     let found = field(s).map(perturbed);
@@ -224,7 +225,7 @@ fn linear_matrix(s: &TopLetters) -> (Sym, [Sym; 2]) {
     (determinant, [sum(2), sum(5)])
 }
 
-/// The other two perturbations to the first order.
+/// Claims on the other two perturbations to first order.
 fn linearised(page: &mut Page, s: &TopLetters) {
     let (_, others) = linear_matrix(s);
     page.claim(

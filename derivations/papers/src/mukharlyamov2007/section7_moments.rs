@@ -21,7 +21,7 @@ pub fn claims(page: &mut Page, s: &TopLetters) {
     permanent(page, s);
 }
 
-/// (19) from (18).
+/// Claims on (19) from (18).
 fn solution(page: &mut Page, s: &TopLetters) {
     let ([p, q, r], [g1, g2, g3]): ([Sym; 3], [Sym; 3]) = (s.at.spin.into(), s.at.vertical.into());
     let h = letters(["h₁", "h₂", "h₃"]);
@@ -46,7 +46,7 @@ fn solution(page: &mut Page, s: &TopLetters) {
     page.correct();
 }
 
-/// Gamma.
+/// Claims on Gamma.
 fn kinematics(page: &mut Page, s: &TopLetters) {
     let (gamma, free): (Vector3<Sym>, Vector3<Sym>) = (s.at.vertical, indexed::<3>("Γ#").into());
     let c: Vector3<Sym> = indexed::<3>("cᵞ#").into();
@@ -65,7 +65,7 @@ fn kinematics(page: &mut Page, s: &TopLetters) {
         );
 }
 
-/// The part of 2 h_1, h_2, h_3 that comes with the rates of A, C and M z_c.
+/// The contributions to 2 h_1, h_2, h_3 of the rates of A, C and M z_c.
 fn by_variation(s: &TopLetters) -> [Sym; 3] {
     let of = |top| rates(&top, &s.at, s.aim, Vector3::zeros(), poisson(&s.at));
     let (varying, constant) = (of(s.top), of(s.constant()));
@@ -76,7 +76,7 @@ fn by_variation(s: &TopLetters) -> [Sym; 3] {
     ]
 }
 
-/// M_x, M_y, M_z and X, Y, Z.
+/// Claims on M_x, M_y, M_z and X, Y, Z.
 fn moments(page: &mut Page, s: &TopLetters) {
     let ([p, q, r], [g1, g2, g3]): ([Sym; 3], [Sym; 3]) = (s.at.spin.into(), s.at.vertical.into());
     let [da, dc, m, dm, z, dz, g] = letters(["Ȧ", "Ċ", "M", "Ṁ", "zc", "żc", "g"]);
@@ -133,7 +133,8 @@ fn moments(page: &mut Page, s: &TopLetters) {
     .follows((0..3).map(|i| Equal(constant[i], printed[i])));
 }
 
-/// (20) from Newton's law for a mass point, to the second order in its distance from the fixed point over R.
+/// Claims on (20) from Newton's law for a mass point, to second order in its distance from the fixed point divided by
+/// R.
 fn force_function(page: &mut Page, s: &TopLetters) {
     type Twice = Tangent<Tangent<Sym>>;
     let fixed = |x: Sym| -> Twice { Tangent::fixed(Tangent::fixed(x)) };
@@ -142,7 +143,7 @@ fn force_function(page: &mut Page, s: &TopLetters) {
     let scale: Twice = Tangent::moving(Tangent::variable(Sym::ZERO), Tangent::fixed(Sym::ONE));
     let from_centre = gamma.map(|g| fixed(radius * g)) + place.map(|x| fixed(x) * scale);
     let square = from_centre.dot(&from_centre);
-    // two steps of Newton's for 1/sqrt from 1/R: right to the third order
+    // two Newton steps for 1/sqrt from 1/R: exact to third order
     let step = |w: Twice| w * (Twice::int(3) - square * w * w) / Twice::int(2);
     let inverse = step(step(fixed(Sym::ONE / radius)));
     let series = inverse.value.value + inverse.value.slope + half(inverse.slope.slope);
@@ -170,7 +171,7 @@ fn force_function(page: &mut Page, s: &TopLetters) {
     )]);
 }
 
-/// p gamma_2 = q gamma_1
+/// Claims on the case p gamma_2 = q gamma_1.
 fn singular(page: &mut Page, s: &TopLetters) {
     let ([p, q, r], [g1, g2, g3]): ([Sym; 3], [Sym; 3]) = (s.at.spin.into(), s.at.vertical.into());
     let ([x, y, z], [h1, h2, h3]) = (letters(["X̃", "Ỹ", "Z̃"]), letters(["h₁", "h₂", "h₃"]));
@@ -205,7 +206,7 @@ fn singular(page: &mut Page, s: &TopLetters) {
         ]);
 }
 
-/// The permanent rotation p = q = gamma_1 = gamma_2 = 0, gamma_3 = 1, r = r_0, under any torque.
+/// Claims on the permanent rotation p = q = gamma_1 = gamma_2 = 0, gamma_3 = 1, r = r_0, under any torque.
 fn permanent(page: &mut Page, s: &TopLetters) {
     let zero = Sym::ZERO;
     let at = Attitude { spin: Vector3::new(zero, zero, s.aim), vertical: Vector3::new(zero, zero, Sym::ONE) };

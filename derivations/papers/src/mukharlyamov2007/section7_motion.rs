@@ -1,4 +1,4 @@
-//! Section 7: the equations (21) and the permanent rotation (22), with the perturbation equations that the text has lost.
+//! Section 7: the equations (21), the permanent rotation (22), and the perturbation equations missing in the text.
 
 use super::alphabet::{exact, int, letter, letters};
 use super::top::{TopLetters, field, perturbations, perturbed, unperturbed, vector};
@@ -15,7 +15,7 @@ pub fn claims(page: &mut Page, s: &TopLetters) {
     perturbed_motion(page, s);
 }
 
-/// (21)
+/// Claims on (21).
 fn equations(page: &mut Page, s: &TopLetters) {
     let now = s.now();
     let ([p, q, r], [g1, g2, g3]): ([Sym; 3], [Sym; 3]) = (s.at.spin.into(), s.at.vertical.into());
@@ -59,7 +59,7 @@ fn equations(page: &mut Page, s: &TopLetters) {
         .holds([Line::formula(kept.energy + wrong, letter("ḟ₁"), int(4) * (a - c) * p * q * r)]);
 }
 
-/// (21) with A(t), C(t), M(t), z_c(t), as it is used for V.
+/// Claims on (21) with A(t), C(t), M(t), z_c(t), as used for V.
 fn varying(page: &mut Page, s: &TopLetters) {
     let ([p, q, r], [g1, g2, g3]): ([Sym; 3], [Sym; 3]) = (s.at.spin.into(), s.at.vertical.into());
     let [da, dc, g] = letters(["Ȧ", "Ċ", "g"]);
@@ -85,14 +85,14 @@ fn varying(page: &mut Page, s: &TopLetters) {
     page.correct();
 }
 
-/// (22)
+/// Claims on (22).
 fn permanent(page: &mut Page, s: &TopLetters) {
     page.claim("eq22", "rotation", r"$p=q=0$, $r=r_0$, $\gamma=(0,0,1)$ is a motion of (21), since every right side vanishes there, for any $A$, $C$, $Mz_c$ at the instant")
         .in_words()
         .follows(field(s).map(|rate| Zero(unperturbed(perturbed(rate)))));
 }
 
-/// The perturbation equations, which the text lacks.
+/// Claims on the perturbation equations, which are missing in the text.
 fn perturbed_motion(page: &mut Page, s: &TopLetters) {
     let [x1, x2, x3, x4, x5, x6] = perturbations();
     page.claim(

@@ -17,7 +17,7 @@ pub fn claims(page: &mut Page, s: &TopLetters) {
     definite(page, &bundle);
 }
 
-/// A body that hangs and loses mass, at an instant, with a perturbation.
+/// A hanging body that loses mass, at an instant, with a perturbation.
 fn instant<const N: usize>(state: [(&'static str, i64, i64); N]) -> Vec<(&'static str, i64, i64)> {
     [("A", 2, 1), ("C", 1, 1), ("ν", 5, 1), ("r₀", 1, 1), ("M", 1, 1), ("zc", -1, 1), ("g", 1, 1), ("R", 3, 1)]
         .into_iter()
@@ -41,7 +41,7 @@ fn printed(bundle: &Bundle) -> [Sym; 4] {
     ]
 }
 
-/// The constant axial speed excludes asymptotic stability.
+/// Claims: the constant axial speed excludes asymptotic stability.
 fn not_asymptotic(page: &mut Page, s: &TopLetters) {
     let bundle = Bundle::new(s);
     let [x1, x2, x3, x4, x5, x6] = perturbations();
@@ -59,7 +59,7 @@ fn not_asymptotic(page: &mut Page, s: &TopLetters) {
     page.correct();
 }
 
-/// dV/dt along (21) with parameters that vary.
+/// Claims on dV/dt along (21) with variable parameters.
 fn rate(page: &mut Page, bundle: &Bundle) {
     let ([a, c, n], [x1, x2, x3, x4, x5, x6]) = (body(), perturbations());
     let directions = bundle.of_directions();
@@ -85,7 +85,7 @@ fn rate(page: &mut Page, bundle: &Bundle) {
         ]);
 }
 
-/// Definiteness of dV/dt.
+/// Claims on the definiteness of dV/dt.
 fn definite(page: &mut Page, bundle: &Bundle) {
     let ([a, c, n], [x1, x2, x3, x4, x5, x6]) = (body(), perturbations());
     let form = varying(bundle.quadratic());
@@ -117,7 +117,7 @@ fn definite(page: &mut Page, bundle: &Bundle) {
         .by_signs([Positive(bound - late)]);
 }
 
-/// Stability by V, under the corrected conditions.
+/// Claims on stability by V, under the corrected conditions.
 fn stable(page: &mut Page, bundle: &Bundle) {
     let ([a, c, n], [x1, x2, x3, x4, x5, x6]) = (body(), perturbations());
     let (da, de, dn, dm) = (varying(a), varying(c * c / a), varying(n), varying(n * c / a));

@@ -1,4 +1,4 @@
-//! The body of section 7 in the paper's letters.
+//! The body of section 7 in the paper's symbols.
 
 use super::alphabet::{dot, indexed, int, letter, letters};
 use field::{Scalar, Tangent};
@@ -6,16 +6,16 @@ use nalgebra::Vector3;
 use symbolic::{Hypotheses, Sym};
 use systems::variable_top::{Attitude, Top};
 
-/// The body with its rates, at a general attitude.
+/// The body with the rates of its parameters, at a general attitude.
 #[derive(Clone, Debug)]
 pub struct TopLetters {
     pub top: Top<Tangent<Sym>>,
     pub at: Attitude<Sym>,
-    /// r_0
+    /// The axial angular velocity r_0.
     pub aim: Sym,
-    /// 3 g/R
+    /// The coefficient 3 g/R of the Newtonian field.
     pub tide: Sym,
-    /// gamma is a unit vector.
+    /// The hypothesis that gamma is a unit vector.
     pub unit: Hypotheses,
 }
 
@@ -39,17 +39,17 @@ impl Default for TopLetters {
 }
 
 impl TopLetters {
-    /// The body as it is at the instant.
+    /// The body at the instant, without rates of its parameters.
     pub fn now(&self) -> Top<Sym> {
         self.top.map(|x| x.value)
     }
 
-    /// The body with parameters that do not change.
+    /// The body with constant parameters.
     pub fn constant(&self) -> Top<Tangent<Sym>> {
         self.top.map(|x| Tangent::fixed(x.value))
     }
 
-    /// p gamma_2 - q gamma_1
+    /// The expression p gamma_2 - q gamma_1.
     pub fn delta(&self) -> Sym {
         self.at.spin.x * self.at.vertical.y - self.at.spin.y * self.at.vertical.x
     }
@@ -59,7 +59,7 @@ impl TopLetters {
         [self.top.static_moment.value, self.top.static_moment.slope]
     }
 
-    /// The printed f_1, f_2, f_3 as functions of the state.
+    /// f_1, f_2, f_3 as printed, as functions of the state.
     pub fn printed_integrals(&self) -> [Sym; 3] {
         let [a, c, m, z, nu, g] = letters(["A", "C", "M", "zc", "ν", "g"]);
         let ([p, q, r], [g1, g2, g3]): ([Sym; 3], [Sym; 3]) = (self.at.spin.into(), self.at.vertical.into());
@@ -71,17 +71,18 @@ impl TopLetters {
     }
 }
 
-/// sum of k_ij f_j over the letters of row i.
+/// The combination sum of k_ij f_j with the symbols k_ij of row i.
 pub fn combination(row: [&str; 3]) -> Sym {
     dot(letters(row), letters(["f₁", "f₂", "f₃"]))
 }
 
-/// Three letters as a vector.
+/// Three symbols as a vector.
 pub fn vector(names: [&str; 3]) -> Vector3<Sym> {
     letters(names).into()
 }
 
-/// The right sides of (21) with the sign of (16) in the second: the paper's letters, parameters as they are at the instant.
+/// The right-hand sides of (21), with the sign of (16) in the second one, in the paper's symbols with constant
+/// parameters.
 pub fn field(s: &TopLetters) -> [Sym; 6] {
     let (now, at) = (s.now(), &s.at);
     let spin = now.acceleration(at.spin, now.moment_of_field(at.vertical));
@@ -89,19 +90,19 @@ pub fn field(s: &TopLetters) -> [Sym; 6] {
     [spin.x, spin.y, spin.z, vertical.x, vertical.y, vertical.z]
 }
 
-/// x / 2
+/// x / 2.
 pub fn half(x: Sym) -> Sym {
     x.half()
 }
 
-/// The perturbed permanent rotation: p = x1, q = x2, r = r0 + x3, gamma = (x4, x5, 1 + x6).
+/// An expression at the perturbed permanent rotation: p = x1, q = x2, r = r0 + x3, gamma = (x4, x5, 1 + x6).
 pub fn perturbed(e: Sym) -> Sym {
     let [p, q, r, r0, g1, g2, g3] = letters(["p", "q", "r", "r₀", "γ1", "γ2", "γ3"]);
     let [x1, x2, x3, x4, x5, x6] = perturbations();
     e.substitute(&[(p, x1), (q, x2), (r, r0 + x3), (g1, x4), (g2, x5), (g3, int(1) + x6)])
 }
 
-/// x1 to x6
+/// The perturbations x1 to x6.
 pub fn perturbations() -> [Sym; 6] {
     letters(["ω1", "ω2", "ω3", "η4", "η5", "η6"])
 }

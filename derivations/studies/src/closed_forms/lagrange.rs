@@ -9,7 +9,7 @@
 use super::{ClosedForm, Quadrature, Start};
 use integrators::Real;
 
-/// v along the axis; `None` without symmetry, without weight, or with weight off the axis.
+/// The closed form of v along the axis; `None` without symmetry, without weight, or with weight off the axis.
 pub fn solution<S: Real>(start: &Start<S>) -> Option<ClosedForm<S>> {
     let [i, j, k] = start.indices();
     let (w, v, zero) = (start.w, start.v, S::zero());

@@ -1,10 +1,11 @@
-//! Motions in closed form, against which runs, reference solutions and their claimed errors are measured.
+//! Motions in closed form, by which runs and reference solutions are checked.
 //!
 //! # Overview
 //! * `volterra`: a gyrostat without weight whose free rotor lies along a principal axis (Zhukovskii 1885, Volterra 1899);
 //! * `lagrange`: a heavy gyrostat with an axis of symmetry, the rotor and the weight along it (Lagrange's top);
 //! * `unloaded`: a synchronous motor alone on a bench, without friction or load;
-//! * each is u'^2 = f(u), a [`Quadrature`] that [`Weierstrass`]' function solves; [`Scene::closed_form`] gives that of a scene.
+//! * each is an equation u'^2 = f(u), a [`Quadrature`], solved by [`Weierstrass`]' function; [`Scene::closed_form`]
+//!   gives the closed form of a scene.
 
 mod lagrange;
 mod quadrature;
@@ -25,7 +26,7 @@ use simulation::Axes;
 /// The closed form of one function of the state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClosedForm<S> {
-    /// The author of the solution, and the function that it gives.
+    /// The authors of the solution, and the function of the state.
     pub name: &'static str,
     shown: Shown,
     motion: Quadrature<S>,
@@ -34,25 +35,26 @@ pub struct ClosedForm<S> {
 /// The function of the state that a closed form gives.
 #[derive(Clone, Debug, PartialEq)]
 enum Shown {
-    /// The component of the vector that starts at this index along a principal axis, which is `given` in the axes of the data.
+    /// The component of a vector, whose components start at the index `first`, along a principal axis; `given` is this
+    /// axis in the axes of the data.
     Along { first: usize, axis: Vector3<f64>, given: Vector3<f64> },
-    /// The cosine of the state at this index.
+    /// The cosine of the state with this index.
     Cosine(usize),
 }
 
 /// A gyrostat in the principal axes of A, with its initial state.
 struct Start<S> {
     moments: Vector3<S>,
-    /// The rotor's axial moment of inertia A'
+    /// The rotor's axial moment of inertia A', kg m^2.
     axial: S,
     weight: Vector3<S>,
     w: Vector3<S>,
     v: Vector3<S>,
     rotor_speed: S,
-    /// The index of the principal axis along which the rotor lies; `sense` is its sign
+    /// The index of the principal axis along the rotor; `sense` is its sign.
     along: usize,
     sense: S,
-    /// The rotor's axis in the axes of the data
+    /// The rotor's axis in the axes of the data.
     given: Vector3<f64>,
 }
 
@@ -136,7 +138,7 @@ impl<S: Real> Start<S> {
         self.axial * (self.w[self.along] + self.sense * self.rotor_speed)
     }
 
-    /// The component along e_k of the vector that starts at this index.
+    /// The component along e_k of the vector that starts at the index `first`.
     fn component(&self, first: usize) -> Shown {
         let mut axis = Vector3::zeros();
         axis[self.along] = 1.0;

@@ -1,4 +1,4 @@
-//! Motions in quadratures that elliptic functions solve: u'^2 = f(u) with a polynomial f of degree four.
+//! Equations u'^2 = f(u) with a polynomial f of degree four, solved by elliptic functions.
 //!
 //! With f = a u^4 + 4 b u^3 + 6 c u^2 + 4 d u + e, u(0) = u0, u'(0) = s and Weierstrass' function P of the invariants
 //!
@@ -8,7 +8,7 @@
 //!
 //!   u = u0 + (-s P' + 1/2 f'(u0) (P - f''(u0)/24) + f(u0) f'''(u0)/24) / (2 (P - f''(u0)/24)^2 - f(u0) f''''/48) .
 //!
-//! No root of f is computed, and equal roots need no case of their own.
+//! No root of f is computed, and multiple roots need no separate case.
 
 use super::weierstrass::{Lattice, Weierstrass};
 use integrators::Real;
@@ -40,7 +40,7 @@ impl<S: Real> Quadrature<S> {
         Quadrature { start, speed, expansion, lattice: Lattice::new(g2, g3) }
     }
 
-    /// u at a time.
+    /// The value u at a time, s.
     pub fn at(&self, time: S) -> S {
         let [f, f1, f2, f3, f4] = self.expansion;
         let Some(Weierstrass { value, slope }) = self.lattice.at(time) else { return self.start };
@@ -49,7 +49,7 @@ impl<S: Real> Quadrature<S> {
         self.start + numerator / (S::int(2) * p * p - (f * f4).half())
     }
 
-    /// The time after which u returns; infinite for a motion that tends to rest.
+    /// The period of u, s; infinite for a motion that tends to an equilibrium.
     pub fn period(&self) -> S {
         self.lattice.period
     }

@@ -1,13 +1,13 @@
 //! A synchronous motor alone, without friction or load: the pendulum A' g'' = -b0 sin g.
 //!
-//! u = cos g obeys u'^2 = 2/A' (E + b0 u)(1 - u^2) with E = A' g'^2/2 - b0 cos g.
+//! The function u = cos g satisfies u'^2 = 2/A' (E + b0 u)(1 - u^2) with E = A' g'^2/2 - b0 cos g.
 
 use super::{ClosedForm, Quadrature, Shown};
 use crate::scene::Start;
 use integrators::Real;
 use motor::Motor;
 
-/// cos g; `None` for a motor without the data of a synchronous one.
+/// The closed form of cos g; `None` for a motor without the data of a synchronous motor.
 pub fn solution<S: Real>(motor: &Motor, axial: f64, start: &Start) -> Option<ClosedForm<S>> {
     let (b0, axial) = (S::lift(motor.datum("b0")?), S::lift(axial));
     let angle = S::lift(start.rotor_angle).circle();

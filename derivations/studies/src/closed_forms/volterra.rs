@@ -1,7 +1,7 @@
-//! Zhukovskii and Volterra's gyrostat, its rotor along the principal axis k.
+//! The gyrostat of Zhukovskii and Volterra, with its rotor along the principal axis k.
 //!
-//! With the principal moments A of the first form and the constant p of the rotor, the momentum x = A w + p e_k keeps its length,
-//! x.x = g, and the energy keeps A w.w = h. Hence with u = w_k
+//! With the principal moments A of the first form and the constant rotor momentum p, the momentum x = A w + p e_k has
+//! constant length, x.x = g, and the energy A w.w = h is constant. Hence with u = w_k
 //!
 //!   A_i (A_i - A_j) w_i^2 = g - (A_k u + p)^2 - A_j (h - A_k u^2) =: n_i ,
 //!   A_j (A_i - A_j) w_j^2 = A_i (h - A_k u^2) - g + (A_k u + p)^2 =: n_j ,    A_k u' = (A_i - A_j) w_i w_j :
@@ -11,7 +11,8 @@
 use super::{ClosedForm, Quadrature, Start};
 use integrators::Real;
 
-/// w along the rotor; `None` with weight, or with an axis of symmetry along the rotor, where this component is constant.
+/// The closed form of w along the rotor; `None` with weight, or for a body with symmetry about the rotor's axis, where
+/// this component is constant.
 pub fn solution<S: Real>(start: &Start<S>) -> Option<ClosedForm<S>> {
     let [i, j, k] = start.indices();
     let (a, w, p) = (start.moments, start.w, start.spin());

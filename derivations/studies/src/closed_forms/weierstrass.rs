@@ -1,15 +1,18 @@
 //! Weierstrass' elliptic function P(z; g2, g3) on the real line: P'^2 = 4 P^3 - g2 P - g3.
 //!
-//! The argument is brought between the half-periods, halved until Laurent's series serves, and doubled again.
+//! The argument is reduced to the interval between the half-periods, halved until the Laurent series converges, and
+//! doubled again.
 
 use integrators::Real;
 
-/// Below this argument, in units of max(|g2|^(1/4), |g3|^(1/6))^-1, which is less than half of the nearest period, the terms
-/// after `TERMS` powers of z^2 are below rounding in double-double. At much smaller arguments rounding would hide g3.
+/// Below this argument, in units of max(|g2|^(1/4), |g3|^(1/6))^-1, which is less than half of the smallest period, the
+/// terms after `TERMS` powers of z^2 are below rounding in double-double. At much smaller arguments rounding would hide
+/// g3.
 const SMALL: f64 = 1.5;
 const TERMS: usize = 56;
 
-/// Newton's steps to the largest root, from a bound above it: a few tens halve the distance, the last five square it.
+/// The largest number of Newton steps for the largest root from an upper bound: some tens of linear, then five of
+/// quadratic convergence.
 const NEWTON: usize = 200;
 
 /// The invariants g2, g3 with the real period.
@@ -17,7 +20,7 @@ const NEWTON: usize = 200;
 pub struct Lattice<S> {
     g2: S,
     g3: S,
-    /// Infinite where two of the cubic's roots fall together above the third.
+    /// The real period; infinite where the two smaller roots of the cubic coincide.
     pub period: S,
 }
 
@@ -62,7 +65,8 @@ impl<S: Real> Lattice<S> {
         Some((0..halvings).fold(self.series(small), |one, _| one.doubled(self.g2)))
     }
 
-    /// 1/z^2 + sum c_k z^(2k - 2), c_2 = g2/20, c_3 = g3/28, (2k + 1)(k - 3) c_k = 3 sum c_m c_(k - m), 2 <= m <= k - 2.
+    /// The Laurent series 1/z^2 + sum c_k z^(2k - 2) with c_2 = g2/20, c_3 = g3/28, (2k + 1)(k - 3) c_k = 3 sum c_m
+    /// c_(k - m), 2 <= m <= k - 2.
     fn series(&self, z: S) -> Weierstrass<S> {
         let mut c = [S::zero(); TERMS];
         (c[2], c[3]) = (self.g2 * S::ratio(1, 20), self.g3 * S::ratio(1, 28));
@@ -82,7 +86,8 @@ impl<S: Real> Lattice<S> {
 }
 
 impl<S: Real> Weierstrass<S> {
-    /// P(2 z) = L^2 - 2 P with L = P''/(2 P'), and its derivative P'(2 z) = L (6 P - 2 L^2) - P'.
+    /// The duplication formula P(2 z) = L^2 - 2 P with L = P''/(2 P'), and its derivative P'(2 z) = L (6 P - 2 L^2) -
+    /// P'.
     fn doubled(self, g2: S) -> Self {
         let Weierstrass { value, slope } = self;
         let second = S::int(6) * value * value - g2.half();
@@ -95,13 +100,14 @@ impl<S: Real> Weierstrass<S> {
     }
 }
 
-/// The largest root of 4 x^3 - g2 x - g3 by Newton's method from above, where the cubic is convex and the iterates decrease.
+/// The largest root of 4 x^3 - g2 x - g3 by Newton's method from above, where the cubic is convex and the iterates
+/// decrease.
 fn largest_root<S: Real>(g2: S, g3: S) -> S {
     let mut x = S::lift(g2.approx().abs().sqrt().max(g3.approx().abs().cbrt()).max(f64::MIN_POSITIVE));
     for _ in 0..NEWTON {
         let slope = S::int(12) * x * x - g2;
         let next = x - (S::int(4) * x * x * x - g2 * x - g3) / slope;
-        // at the root rounding reverses the steps, or ends them
+        // at the root rounding ends the monotonic decrease
         match next < x {
             true if next.finite() => x = next,
             _ => break,

@@ -1,4 +1,4 @@
-//! Laws that are no functions of the state: the checks must reject them.
+//! Test laws that are no functions of the state: the checks must reject them.
 
 use super::instant::Instant;
 use super::rest::Rest;
@@ -74,7 +74,7 @@ fn a_law_that_is_no_function_of_the_state_is_found_out_by_every_identity() {
     assert!(compared(Arc::new(running)).is_err(), "jacobian");
 }
 
-/// A motor without angle whose rotor is braked by friction.
+/// A motor whose laws do not depend on the angle, with friction.
 fn braked(k: f64) -> Motor {
     let value = |name: &str| if name == "k" { k } else { 0.5 };
     catalogue::sampled("asynchronous", |quantity| value(&quantity.name), 1).expect("it is in the catalogue")

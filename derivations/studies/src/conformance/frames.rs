@@ -1,4 +1,4 @@
-//! The motor's equations derived in the stator's frame, and with rotated windings, against its law.
+//! Checks of a motor's equations: derived in the stator's frame, and with rotated windings.
 
 use super::instant::{Instant, vanish};
 use super::verdict_of;
@@ -7,8 +7,8 @@ use field::{Analytic, Circle, Over, Scalar, Tangent};
 use motor::{Machine, RotorState, torque_and_current_rates};
 use symbolic::Sym;
 
-/// In the stator's frame the coenergy is K(phi - W t, i), and the rotation of the field is a rheonomic constraint: the equations of
-/// Lagrange-Maxwell and Hamel there, by two derivatives of K, against the law in the field's frame.
+/// Derives the equations of Lagrange-Maxwell and Hamel in the stator's frame, where the co-energy is K(phi - W t, i)
+/// and the rotation of the field a rheonomic constraint, and compares them with the law in the field's frame.
 pub(super) fn stator(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerdict {
     if at.kept {
         return PropertyVerdict::DoesNotApply("the speed is prescribed and does not depend on the torque".to_owned());
@@ -19,7 +19,7 @@ pub(super) fn stator(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerdi
     };
     let mut rates = vec![Sym::ZERO; at.currents.len()];
     let torque = torque_and_current_rates(machine, phi - field, at.slip, &at.currents, &mut rates);
-    // dK/dphi with the field held
+    // dK/dphi at a fixed field
     let varied = phi.moving(Sym::ONE) - field.moving(Sym::ZERO);
     let held: Vec<_> = at.currents.iter().map(|&i| Tangent::fixed(i)).collect();
     let pull = coenergy(machine, varied, &held).slope;
@@ -27,7 +27,7 @@ pub(super) fn stator(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerdi
     let sliding = at.currents.iter().zip(&motional).fold(Sym::ZERO, |sum, (&i, &c)| sum + i * c);
     let law = machine.torque_law(at.speed - machine.frame_speed(), at.speed);
     let mut residuals = vec![("the torque".to_owned(), torque - (pull + sliding + law))];
-    // d/dt dK/di_k with rotor and field both turning
+    // d/dt dK/di_k with rotating rotor and field
     let running = phi.moving(at.speed) - field.moving(machine.frame_speed());
     for (k, &motional) in motional.iter().enumerate() {
         let currents = at.currents.iter().zip(&rates).enumerate().map(|(j, (&i, &rate))| {
@@ -42,7 +42,7 @@ pub(super) fn stator(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerdi
     verdict_of(vanish(residuals), "from the stator, where the field turns with time, the equations are the same")
 }
 
-/// K = sum (1/2 L i^2 + i psi(g)) - U(g).
+/// The co-energy K = sum (1/2 L i^2 + i psi(g)) - U(g).
 fn coenergy<S: Over<Sym>, M: Machine<Sym>>(machine: &M, angle: Circle<S>, currents: &[S]) -> S {
     currents.iter().enumerate().fold(-machine.field_energy(angle), |sum, (k, &i)| {
         sum + (S::lift(machine.inductance(k)) * i * i).half() + i * machine.linkage(k, angle)
@@ -80,7 +80,7 @@ struct Turned<'a, M> {
 }
 
 impl<M> Turned<'_, M> {
-    /// The value at a winding, rotated within the pair; the other windings keep theirs.
+    /// The value at a winding, rotated within the pair; values of other windings are unchanged.
     fn turned<S: Over<Sym>>(&self, winding: usize, of: impl Fn(usize) -> S) -> S {
         let ((j, k), turn) = (self.pair, self.turn.map(S::lift));
         match winding {

@@ -1,4 +1,4 @@
-//! A motor in a housing that moves, and in the limit of an infinitely heavy one.
+//! Checks of a motor in a moving housing, and in the limit of an infinitely heavy one.
 
 use super::instant::{Doubt, Instant, bench_state, vanish};
 use super::verdict_of;
@@ -14,13 +14,14 @@ fn three(name: &str) -> Vector3<Sym> {
     Vector3::from_fn(|k, _| Sym::symbol(&format!("{name} {}", k + 1)))
 }
 
-/// The motor in a gyrostat with these principal moments of A; the other data are symbols.
+/// The motor in a gyrostat with the given principal moments of A; the other data are symbols.
 fn driven<M: Machine<Sym> + Clone>(machine: &M, moments: Vector3<Sym>) -> Driven<Sym, FirstForm<Sym>, M> {
     let form = FirstForm::new(moments, three("axis l"), Sym::symbol("the moment A'"), three("weight Ge"));
     Driven::new(form, machine.clone())
 }
 
-/// The motor does not change the angular momentum about the vertical, and changes the rotor's own momentum by its torque M only.
+/// Checks that the motor does not change the angular momentum about the vertical, and changes the rotor's momentum by
+/// its torque M only.
 pub(super) fn momentum(machine: &(impl Machine<Sym> + Clone), at: &Instant) -> PropertyVerdict {
     let law = driven(machine, three("moment A"));
     let (w, v) = (three("velocity w"), three("vertical v"));
@@ -54,7 +55,8 @@ fn vertical(law: &Driven<Sym, FirstForm<Sym>, impl Machine<Sym>>, moving: &[Tang
     law.form.momentum(vector(0), speed).dot(&vector(3)).slope
 }
 
-/// As the housing's moments of inertia tend to infinity, a housing at rest stays at rest and the motor runs as on the bench.
+/// Checks the limit of infinite moments of inertia of the housing: a housing at rest stays at rest, and the motor runs
+/// as on the bench.
 pub(super) fn bench(machine: &(impl Machine<Sym> + Clone)) -> PropertyVerdict {
     let own = bench_state(machine);
     if own.is_empty() {
@@ -78,7 +80,7 @@ pub(super) fn bench(machine: &(impl Machine<Sym> + Clone)) -> PropertyVerdict {
     verdict_of(proof, "in a housing too heavy to turn it runs as on the bench")
 }
 
-/// Whether an expression tends to zero with a variable; `None` where that was not decided.
+/// Whether an expression tends to zero with a variable; `None` if undecided.
 fn tends_to_zero(expression: Sym, variable: Sym) -> Option<bool> {
     let form = normal(expression, &Hypotheses::none()).ok()?;
     let end = [(variable, Sym::ZERO)];

@@ -1,22 +1,23 @@
-//! A motor at an instant, over symbols: torque and current rates by its law at any state.
+//! The symbolic state of a motor, with torque and current rates by its law.
 
 use field::{Analytic, Circle};
 use motor::{Machine, RotorState, state_names, torque_and_current_rates};
 use symbolic::{Decision, Hypotheses, Sym, decide};
 
-/// Any state of a motor, with torque and rates by its law. (A symbol with a space in its name is no parameter of any motor.)
+/// A general state of a motor, with torque and rates by its law. (Symbols with a space in their name differ from all
+/// parameters.)
 pub struct Instant {
     pub angle: Circle<Sym>,
-    /// g', rad/s
+    /// The slip g', rad/s.
     pub slip: Sym,
-    /// phi', rad/s
+    /// The speed phi', rad/s.
     pub speed: Sym,
     pub currents: Vec<Sym>,
-    /// the torque M, N m
+    /// The torque M, N m.
     pub torque: Sym,
-    /// di_k/dt, A/s
+    /// The current rates di_k/dt, A/s.
     pub rates: Vec<Sym>,
-    /// Whether the rotor's speed is prescribed, by whatever torque that takes.
+    /// Whether the rotor's speed is prescribed.
     pub kept: bool,
 }
 
@@ -36,8 +37,10 @@ impl Instant {
     }
 }
 
-/// Ok if every residual vanishes for all states and data; otherwise the one that does not, with a point. A residual that does not
-/// vanish is reported even after one that was not decided.
+/// Proves that every residual vanishes for all states and data.
+///
+/// # Errors
+/// A residual that does not vanish, with a point, or one that is undecided; the former takes precedence.
 pub fn vanish(residuals: impl IntoIterator<Item = (String, Sym)>) -> Result<(), Doubt> {
     let mut doubt = Ok(());
     for (what, residual) in residuals {
@@ -52,16 +55,16 @@ pub fn vanish(residuals: impl IntoIterator<Item = (String, Sym)>) -> Result<(), 
     doubt
 }
 
-/// The reason for which an identity is not proved.
+/// The reason why an identity is not proved.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Doubt {
     /// The identity is false.
     Off(String),
-    /// The prover gave up.
+    /// The prover did not decide.
     Open(String),
 }
 
-/// The state of a motor on a bench as symbols, by the names of its states.
+/// The state of a motor on a bench as symbols, named after its states.
 pub fn bench_state(machine: &impl Machine<Sym>) -> Vec<Sym> {
     state_names(machine).iter().map(|name| Sym::symbol(&format!("the {name}"))).collect()
 }

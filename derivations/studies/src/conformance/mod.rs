@@ -1,4 +1,4 @@
-//! Conformance of motors: checks that every motor must pass, whoever wrote it; they use its laws alone, each gives a verdict.
+//! Conformance checks that every motor must pass, based on its laws only; each check gives a verdict.
 //!
 //! # Overview
 //! * [`conform`]: all checks of a motor; [`page`] writes them;
@@ -9,7 +9,7 @@
 //! * `slopes`: the Jacobian by two routes;
 //! * `units`: dimensions.
 //!
-//! Identities are decided over symbols for every parameter; inequalities and stationary states hold for the data.
+//! Identities are decided symbolically for all parameters; inequalities and steady states for the given data.
 
 #[cfg(test)]
 mod deceiver;
@@ -37,7 +37,7 @@ fn verdict_of(proof: Result<(), Doubt>, says: &str) -> PropertyVerdict {
     }
 }
 
-/// Every check on a motor with its data.
+/// All checks of a motor with its data.
 pub fn conform(motor: &Motor) -> Vec<Finding> {
     let written = motor.letters();
     let dimension = |quantity: &Quantity| Dimension::of(&quantity.unit).of_expressions();
@@ -62,7 +62,7 @@ pub fn conform(motor: &Motor) -> Vec<Finding> {
     findings.map(|(check, verdict)| Finding { check, verdict }).into()
 }
 
-/// A motor of the catalogue with data of a small motor's size, chosen by their units, no two equal.
+/// A motor of the catalogue with typical data of a small motor, distinct for each quantity.
 pub fn sample(model: &str) -> Option<Motor> {
     let mut asked = 0;
     let value = |quantity: &Quantity| {
@@ -77,7 +77,7 @@ pub fn sample(model: &str) -> Option<Motor> {
             "V" => 12.0,
             _ => 0.3,
         };
-        // short decimals, which pages print as fractions
+        // short decimals, displayed as fractions
         (1e5 * size * f64::from(20 + asked) / 20.0).round() / 1e5
     };
     catalogue::sampled(model, value, 3)

@@ -1,4 +1,4 @@
-//! Power balance of a motor, and its passivity: whether it gives energy of its own.
+//! Power balance and passivity of a motor.
 
 use super::instant::{Instant, vanish};
 use super::verdict_of;
@@ -9,7 +9,8 @@ use field::{Analytic, Circle, Rational, Scalar, Tangent};
 use motor::{Machine, RotorState, electrical_power, joule_heat, motional_torque, stored_energy};
 use symbolic::{Decision, Hypotheses, Sym, decide};
 
-/// M phi' + d/dt (U + sum 1/2 L i^2) = W dK/dg + phi' m + sum v i - sum R i^2, by moving the stored energy along the motion.
+/// Checks M phi' + d/dt (U + sum 1/2 L i^2) = W dK/dg + phi' m + sum v i - sum R i^2, with the rate of the stored
+/// energy along the motion.
 pub(super) fn balance(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerdict {
     if at.kept {
         return PropertyVerdict::DoesNotApply("the speed is prescribed and does not depend on the torque".to_owned());
@@ -30,8 +31,9 @@ pub(super) fn balance(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerd
     verdict_of(proof, "shaft and store get what field, friction and supplies give, less heat")
 }
 
-/// Passivity: whether the motor gives energy of its own. In the field's frame it does not where E - W p + c0 g, c0 = -m(0, W), never
-/// grows without a supply; in the housing's frame, if nothing depends on the field's angle, where E never grows.
+/// Checks passivity: whether the motor delivers no energy of its own. In the field's frame it is passive if without a
+/// supply E - W p + c0 g, c0 = -m(0, W), never increases; in the housing's frame, if nothing depends on the field's
+/// angle, if E never increases.
 pub(super) fn passivity(machine: &impl Machine<Sym>, written: &impl Machine<Sym>) -> PropertyVerdict {
     if machine.rotor() == RotorState::Prescribed {
         return PropertyVerdict::DoesNotApply("whatever keeps the speed gives what that takes".to_owned());
@@ -88,15 +90,15 @@ fn from_housing(machine: &impl Machine<Sym>) -> Result<(), Gives> {
     takes(machine.torque_law(slip, speed) * speed, slip)
 }
 
-/// The source of energy in a motor that is not passive.
+/// The source of energy of a motor that is not passive.
 enum Gives {
-    /// Conductors that slide.
+    /// Sliding conductors.
     Sliding,
-    /// The turning field.
+    /// The rotating field.
     Field,
-    /// The torque m, below synchronism or above.
+    /// The torque m, below or above synchronous speed.
     Torque { below: bool },
-    /// Undecided: the torque is no rational function.
+    /// Undecided: the torque is not a rational function.
     Unknown(NoMotor),
 }
 
@@ -115,7 +117,7 @@ impl Gives {
     }
 }
 
-/// Ok if a power is positive at no slip.
+/// Ok if the power is positive for no slip.
 fn takes(power: Sym, slip: Sym) -> Result<(), Gives> {
     let power = Fraction::of(power, slip).map_err(Gives::Unknown)?;
     positive(&power).map_or(Ok(()), |gives| Err(Gives::Torque { below: gives.sign() == Some(-1) }))
@@ -132,12 +134,12 @@ fn vanishes(expression: Sym) -> Result<bool, Gives> {
     }
 }
 
-/// The sign of an expression that is constant.
+/// The sign of a constant expression; `None` for others.
 fn sign(value: Sym) -> Option<i32> {
     value.as_constant().and_then(Rational::sign)
 }
 
-/// A rational point at which a fraction is positive, found by its sign at one point between neighbouring roots and poles.
+/// A rational point at which a fraction is positive, found by its sign at one point between adjacent roots and poles.
 fn positive(fraction: &Fraction) -> Option<Rational> {
     let whole = &fraction.numerator * &fraction.denominator;
     let mut roots = whole.real_roots();

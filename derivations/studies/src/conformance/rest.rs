@@ -12,18 +12,18 @@ use symbolic::Sym;
 
 /// The moment of inertia A', kg m^2, of the bench on which runs confirm the exact results.
 const AXIAL: f64 = 0.01;
-/// The deviation of a start from the steady state, the length of a run in slowest time constants (long enough for transient growth to
-/// decay), and its greatest number of evaluations. An oscillation that hardly decays remains undecided.
+/// The initial deviation from the steady state, the length of a run in slowest time constants (long enough for
+/// transient growth to decay), and its budget of evaluations. An oscillation that hardly decays remains undecided.
 const OFF: f64 = 1e-4;
 const LONG: f64 = 12.0;
 const MOST: u64 = 2_000_000;
 /// The largest rate at a steady state, relative to the terms of which it is the sum.
 const ROUNDING: f64 = 1e-9;
-/// Eigenvalues whose ratio exceeds this cannot both be resolved in double precision.
+/// Eigenvalues with a larger ratio cannot both be resolved in double precision.
 const APART: f64 = 1e12;
 
-/// Proves that every rate vanishes at the steady currents, for any inductances: they are the currents of the limit L -> 0 too.
-/// At synchronism, without a supply, they vanish, and the motor without currents is left.
+/// Proves that every rate vanishes at the steady currents, for any inductances: they are also the currents in the limit
+/// L -> 0. At synchronism without a supply they vanish, and the motor without currents remains.
 pub(super) fn currents(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerdict {
     if at.currents.is_empty() {
         return PropertyVerdict::DoesNotApply("it has no windings".to_owned());
@@ -57,25 +57,26 @@ pub(super) struct Rest {
 
 struct Known {
     states: Vec<State>,
-    /// True for a free rotor: it has a steady state at every speed, of which one is judged.
+    /// Whether every speed is a steady state, as for a free rotor; one of them is examined.
     every: bool,
 }
 
 struct State {
-    /// The largest rate at the state, relative to its largest term.
+    /// The largest rate at the steady state, relative to its largest term.
     residual: f64,
     spectrum: Option<Vec<Complex<f64>>>,
-    /// The deviation at the end of a run over that at its start; `None` where the largest real part is zero up to rounding.
+    /// The ratio of the deviations at the end and at the start of a run; `None` where the largest real part is zero
+    /// within rounding.
     grows: Option<f64>,
 }
 
 impl Rest {
-    /// The steady states of a motor, checked on its own law.
+    /// The steady states of a motor, checked with its law.
     pub fn of(machine: &Motor) -> Self {
         Self::beside(MotorStates::of(machine), machine)
     }
 
-    /// Exact steady states, checked on the law of a machine that runs.
+    /// Exact steady states, checked with the law of a machine.
     pub fn beside<M>(motor: Result<MotorStates, NoMotor>, machine: &M) -> Self
     where
         M: Machine<f64> + Clone + Send + Sync + 'static,
@@ -99,7 +100,7 @@ impl Rest {
         Rest { known }
     }
 
-    /// Whether the rates of the law that runs vanish at the exact steady states.
+    /// Checks that the rates of the integrated law vanish at the exact steady states.
     pub fn stationary(&self) -> PropertyVerdict {
         self.judged(|known| {
             let count = known.states.len();
@@ -121,7 +122,7 @@ impl Rest {
         })
     }
 
-    /// Whether runs from nearby states converge or diverge as the eigenvalues say.
+    /// Checks that runs from nearby states converge or diverge in agreement with the eigenvalues.
     pub fn stability(&self) -> PropertyVerdict {
         self.judged(|known| {
             let told: Vec<(bool, f64)> = known.states.iter().filter_map(State::told).collect();
@@ -145,7 +146,7 @@ impl Rest {
         })
     }
 
-    /// The stiffness ratio: the largest modulus of an eigenvalue over the smallest that is not zero.
+    /// Computes the stiffness ratio: the largest modulus of an eigenvalue divided by the smallest nonzero one.
     pub fn stiffness(&self) -> PropertyVerdict {
         self.judged(|known| {
             let mut widest = 1.0_f64;
@@ -187,7 +188,8 @@ impl State {
         State { residual, spectrum, grows }
     }
 
-    /// Whether all eigenvalues have negative real parts, and the growth in a run; `None` where the eigenvalues do not decide.
+    /// Whether all eigenvalues have negative real parts, and the growth in a run; `None` where the eigenvalues do not
+    /// decide.
     fn told(&self) -> Option<(bool, f64)> {
         let real = |root: &Complex<f64>| root.re;
         let spectrum = self.spectrum.as_ref()?;
@@ -195,7 +197,8 @@ impl State {
     }
 }
 
-/// The deviation from a steady state at the end of a run over that at its start; `None` where the eigenvalues do not decide.
+/// The ratio of the deviations from a steady state at the end and at the start of a run; `None` where the eigenvalues
+/// do not decide.
 fn ratio(system: &CompiledLaw, start: &[f64], spectrum: &[Complex<f64>]) -> Option<f64> {
     let size = spectrum.iter().fold(0.0, |most: f64, root| most.max(root.norm()));
     let greatest = spectrum.iter().fold(f64::NEG_INFINITY, |most, root| most.max(root.re));
@@ -243,7 +246,7 @@ mod tests {
     use simulation::CompiledLaw;
     use symbolic::Sym;
 
-    /// y' = (t - 1) y, or its negative: the eigenvalue at the start decides the growth for one second only.
+    /// y' = (t - 1) y, or its negative: the eigenvalue at the start determines the growth during the first second only.
     struct Fickle {
         decays: bool,
     }

@@ -1,4 +1,4 @@
-//! The Jacobian by two routes: dual numbers, and polynomials recorded from the differentiated expressions.
+//! Check of the Jacobian by two methods: dual numbers, and symbolic differentiation.
 
 use claims::finding::PropertyVerdict;
 use integrators::{Dual8, Jacobian, Ode, System};
@@ -11,7 +11,7 @@ const ROUNDING: f64 = 1e-13;
 /// States at which the entries are compared.
 const STATES: usize = 5;
 
-/// Compares the Jacobian of a motor on a bench by two routes.
+/// Compares both Jacobians of a motor on a bench.
 pub(super) fn jacobian(machine: &Motor) -> PropertyVerdict {
     let bench = Bench { machine: machine.clone(), axial: 0.7 };
     match bench.dimension() {
@@ -23,7 +23,7 @@ pub(super) fn jacobian(machine: &Motor) -> PropertyVerdict {
     }
 }
 
-/// Whether a law has a Jacobian of recorded polynomials, after comparing it.
+/// Whether a law has a symbolic Jacobian; compares it with that by dual numbers.
 ///
 /// # Errors
 /// The first entry that differs.

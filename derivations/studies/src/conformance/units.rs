@@ -1,4 +1,4 @@
-//! Dimensions of the torque and the current rates that the laws give.
+//! Check of the physical dimensions of the torque and the current rates.
 
 use super::instant::{Doubt, Instant};
 use super::verdict_of;

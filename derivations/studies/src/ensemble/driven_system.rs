@@ -1,5 +1,5 @@
-//! A scene with a motor as a parametric system: each ensemble member has bodies, machine and start of its own; results are in the
-//! axes of the data.
+//! A scene with a motor as a parametric system: ensemble members have different bodies, machines and starts; results
+//! are in the axes of the data.
 
 use super::kind::{INVARIANT_UNITS, INVARIANTS, Kind, form_parameters};
 use super::known::{Data, DatumPlace, variables};
@@ -17,19 +17,19 @@ use std::sync::Arc;
 use symbolic::Untapeable;
 use systems::gyrostat::admissible::Inadmissible;
 
-/// A scene with a motor, and its law for all data.
+/// A scene with a motor, with its law for symbolic data.
 #[derive(Debug)]
 struct DrivenSystem {
     scene: Scene,
     kind: Kind,
     axes: Axes,
-    /// The place of each variable in the data.
+    /// The location of each variable in the data.
     places: Vec<DatumPlace>,
-    /// The place of the slip among the states, where there is one.
+    /// The index of the slip among the states, if it is one.
     slip: Option<usize>,
 }
 
-/// Reads the rest of a scene with a motor and its table `[ensemble]`.
+/// Reads the rest of a scene with a motor and its table `[ensemble]`. Faults are added to `issues`.
 pub(super) fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<EnsembleScene> {
     let place = opening.system.span.clone();
     let scene = Scene::read(opening, top, issues);
@@ -123,7 +123,7 @@ impl ParametricSystem for DrivenSystem {
     }
 }
 
-/// The data of a member with which its final state is shown.
+/// The data of a member for its result columns.
 struct Shown<'a> {
     system: &'a DrivenSystem,
     start: Vec<f64>,
@@ -142,14 +142,14 @@ impl Shown<'_> {
         Last { time, state: self.row(state), derived: (0..keeps.len()).map(change).collect() }
     }
 
-    /// The values of the kind's invariants at a state.
+    /// The values of the invariants at a state.
     fn kept(&self, state: &[f64]) -> [f64; 4] {
         let mut kept = [0.0; 4];
         self.system.kind.invariants().evaluate(&[state, &self.parameters].concat(), &mut kept);
         kept
     }
 
-    /// A state in the axes of the data, then the rotor's relative speed.
+    /// The row of a state in the axes of the data, then the rotor's relative speed.
     fn row(&self, state: &[f64]) -> Vec<f64> {
         let mut row = state.to_vec();
         if let (Some(frame), Some(vectors)) = (self.frame, row.get_mut(..6)) {
@@ -162,7 +162,7 @@ impl Shown<'_> {
         row
     }
 
-    /// For each invariant of its kind, whether the member conserves it.
+    /// For each invariant, whether the member conserves it.
     fn keeps(&self) -> [bool; 4] {
         [self.frame.is_some(), self.frame.is_some(), self.conserved.jacobi, self.conserved.spin]
     }

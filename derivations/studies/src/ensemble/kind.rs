@@ -12,21 +12,21 @@ use symbolic::{Sym, Tape, Untapeable, apart};
 use systems::gyrostat::driven::Driven;
 use systems::gyrostat::forms::{FirstForm, Form, SecondForm};
 
-/// Systems that differ in their numbers only. The parameters are those of the form (principal moments, l, A', Ge in its
-/// axes) or A' of a bench, then those of the machine in its own order.
+/// The law of systems that differ in their numbers only. The parameters are those of the form (principal moments, l,
+/// A', Ge in its axes) or A' of a bench, followed by those of the machine in its order.
 #[derive(Clone, Debug)]
 pub struct Kind {
     law: Expandable,
     invariants: Tape,
 }
 
-/// Names of the integrals that a system may have; the machine of a member decides which of them are conserved.
+/// The names of possible integrals; the machine of a member determines which of them are conserved.
 pub const INVARIANTS: [&str; 4] = ["vertical_length", "vertical_momentum", "jacobi", "rotor_momentum"];
-/// Units of [`INVARIANTS`].
+/// The units of [`INVARIANTS`].
 pub const INVARIANT_UNITS: [&str; 4] = ["1", "N m s", "J", "N m s"];
 
 impl Kind {
-    /// Records the law of a system with a machine that has these counts of windings.
+    /// Records the law of a system with a machine with given numbers of windings.
     ///
     /// # Errors
     /// [`Untapeable`] where the law cannot be recorded.
@@ -34,7 +34,7 @@ impl Kind {
         apart(|| recorded(system, machine, axes, false))
     }
 
-    /// Records the law with a load as the last parameter: a torque against the rotor's rotation, N m.
+    /// As [`Self::record`], with a load as the last parameter: a torque against the rotor's rotation, N m.
     ///
     /// # Errors
     /// [`Untapeable`] where the law cannot be recorded.
@@ -52,7 +52,7 @@ impl Kind {
         self.law.states()
     }
 
-    /// Taylor series of a batch of members, to this order.
+    /// Taylor series of a batch of members, of the given order.
     pub fn series(&self, order: usize) -> Option<Box<dyn BatchSeries<BATCH_SIZE> + '_>> {
         batch_series(&self.law, order)
     }
@@ -63,7 +63,7 @@ impl Kind {
     }
 }
 
-/// The axes of the form as columns, and the parameters of the system; those of the machine follow.
+/// The axes of the form as columns, and the parameters of the system without those of the machine.
 pub fn form_parameters(system: &Setup, axes: Axes) -> (Option<Matrix3<f64>>, Vec<f64>) {
     match system {
         Setup::Gyrostat(bodies) => {
@@ -129,7 +129,7 @@ fn states(count: usize) -> Vec<Sym> {
     (0..count).map(|i| Sym::symbol(&format!("y{i}"))).collect()
 }
 
-/// A source of fresh symbols.
+/// A source of new symbols.
 struct Names {
     made: Vec<Sym>,
 }

@@ -1,4 +1,5 @@
-//! The numbers of a scene that may differ between ensemble members: their names in files, and their places.
+//! The numbers of a scene that may vary between ensemble members: their names in files, and their locations in the
+//! data.
 
 use crate::scene::{Scene, Setup, Start};
 use motor::Machine;
@@ -16,7 +17,7 @@ pub struct Data {
     pub start: Start,
 }
 
-/// The place of a datum.
+/// The location of a datum.
 #[derive(Clone, Copy, Debug)]
 pub enum DatumPlace {
     Bodies(fn(&mut Setup) -> Option<&mut [f64]>),
@@ -24,7 +25,7 @@ pub enum DatumPlace {
     Start(fn(&mut Start) -> &mut [f64]),
 }
 
-/// A datum that a file may name: its table, key, meaning, unit, number of components, and where it is.
+/// A datum that a file may vary: key, meaning, unit, number of components, and location.
 pub(crate) struct Known {
     pub key: Cow<'static, str>,
     pub meaning: Cow<'static, str>,
@@ -54,13 +55,13 @@ impl Known {
         Known { key, meaning, unit, components, place }
     }
 
-    /// A parameter of the machine, by its place among them.
+    /// A parameter of the machine, by its index.
     fn of_machine((place, (quantity, _)): (usize, (&Quantity, f64))) -> Self {
         let Quantity { name, unit, meaning, .. } = quantity.clone();
         Known { key: name, meaning, unit, components: 1, place: DatumPlace::Machine(place) }
     }
 
-    /// All data that a scene may vary, by the tables in which they stand; the top of the file has an empty name.
+    /// All data of a scene that may vary, by table; the top of the file has an empty name.
     pub fn of(scene: &Scene) -> Vec<(&'static str, Vec<Known>)> {
         let machine = scene.given.data().enumerate();
         let machine = machine.map(Known::of_machine).collect();
@@ -160,7 +161,7 @@ impl Known {
     }
 }
 
-/// All data that a scene may vary, in the order of a table of results, each with its place.
+/// All data of a scene that may vary, in the order of result tables, with their locations.
 pub(super) fn variables(scene: &Scene) -> (Vec<Variable>, Vec<DatumPlace>) {
     let mut all = Vec::new();
     for (table, known) in Known::of(scene) {
@@ -177,7 +178,7 @@ pub(super) fn variables(scene: &Scene) -> (Vec<Variable>, Vec<DatumPlace>) {
 }
 
 impl DatumPlace {
-    /// Puts drawn numbers in their place; six are a symmetric tensor.
+    /// Writes drawn numbers to their location; six numbers are a symmetric tensor.
     pub(super) fn put(self, drawn: &[f64], data: &mut Data) {
         let place = match self {
             DatumPlace::Bodies(of) => of(&mut data.system).unwrap_or_default(),

@@ -1,7 +1,7 @@
 //! Ensembles of scenes with a motor.
 //!
 //! # Overview
-//! * [`open`]: a scene with a table `[ensemble]` of the varying numbers, from a file;
+//! * [`open`]: reads a scene with a table `[ensemble]` from a file;
 //! * [`known`]: the numbers that may vary;
 //! * [`kind`]: the law with a symbol for each number that may vary; `driven_system`: the members.
 
@@ -18,15 +18,15 @@ use std::path::Path;
 /// Reads an ensemble file of any family of scenes.
 ///
 /// # Errors
-/// All mistakes in the file, each with its place.
+/// All faults of the file, with their positions.
 pub fn open(path: &Path) -> Result<EnsembleScene, SceneError> {
     parse(&path.display().to_string(), &reader::read_text(path)?)
 }
 
-/// Reads an ensemble from a text, which messages call `name`.
+/// Reads an ensemble from a text; messages use `name` for it.
 ///
 /// # Errors
-/// All mistakes in the text, each with its place.
+/// All faults of the text, with their positions.
 pub fn parse(name: &str, text: &str) -> Result<EnsembleScene, SceneError> {
     match models::readers() {
         Some(readers) if models::holds_model(text) => (readers.ensemble)(name, text),

@@ -24,9 +24,10 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// The budget of evaluations in the angles, whose law is expensive.
+/// The budget of evaluations in Euler angles, whose law is expensive.
 const FEW: u64 = 3_000;
-/// Precession and proper rotation, rad, and the rates at which the rounding error is measured against the nutation.
+/// The precession and the proper rotation (rad), and the rates, for which the rounding error is measured as a function
+/// of the nutation.
 const ANGLES: [f64; 2] = [0.3, 0.4];
 const RATES: [f64; 4] = [0.5, -0.7, 0.9, 1.1];
 
@@ -37,7 +38,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         return Err(NotFound::unsuitable(path, "this is another system or machine", accepted));
     };
     let law = Arc::new(InAngles(**bodies));
-    // uncompiled, the law solves a linear system at each evaluation
+    // the uncompiled law solves a linear system at each evaluation
     let running = CompiledLaw::of(Arc::clone(&law) as Arc<dyn SymbolicLaw>);
     let digits = Threshold {
         of: "squared sine of the nutation below which the accelerations have no correct digit".into(),
@@ -98,7 +99,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for InAngles {
 }
 
 impl InAngles {
-    /// The initial state of a scene: precession zero, the other angles from the vertical.
+    /// The initial state of a scene in Euler angles: precession zero, the other angles from the vertical.
     fn start(&self, scene: &Scene) -> Vec<f64> {
         let v = scene.start.vertical;
         let angles = [0.0, v.z.clamp(-1.0, 1.0).acos(), v.x.atan2(v.y)];
@@ -115,7 +116,8 @@ impl InAngles {
     }
 }
 
-/// The squared sine of the largest nutation angle, among powers of two, at which the error of doubles is as large as the accelerations.
+/// The squared sine of the largest nutation angle, among powers of two, at which the rounding error is as large as the
+/// accelerations.
 fn blind(law: &InAngles) -> Option<f64> {
     let lost = |nutation: &f64| {
         let (found, exact): (Vec<f64>, Vec<DoubleDouble>) = (law.at(*nutation), law.at(*nutation));

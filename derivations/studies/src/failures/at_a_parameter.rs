@@ -1,7 +1,7 @@
 //! Newton's method for the unknown x of a curve F(x, p) = 0 at a fixed p.
 //!
-//! At a fold of the curve F_x, by which the method divides, vanishes; beyond the fold there is no x to be found.
-//! The continuation [`integrators::continue_branch`] walks along the curve, where nothing is singular.
+//! At a fold of the curve the divisor F_x of the method vanishes; beyond the fold there is no solution. The
+//! continuation [`integrators::continue_branch`] along the curve is regular there.
 
 use integrators::Curve;
 use std::fmt;
@@ -25,15 +25,15 @@ impl fmt::Display for NotConverged {
     }
 }
 
-/// Iterations after which Newton's method counts as lost.
+/// The largest number of iterations.
 const MOST: u32 = 100;
-/// Corrections below this, relative to x or one, are rounding.
+/// Corrections below this, relative to max(|x|, 1), are rounding.
 const SETTLED: f64 = 1e-12;
 
-/// The x of a plane curve at a fixed p, by Newton's method from a guess.
+/// The x of a plane curve at a fixed p, by Newton's method from an initial value.
 ///
 /// # Errors
-/// [`NotConverged`].
+/// [`NotConverged`] after the largest number of iterations.
 pub fn newton(curve: &mut dyn Curve, mut x: f64, p: f64) -> Result<f64, NotConverged> {
     let (mut residual, mut slopes) = ([f64::INFINITY], [0.0; 2]);
     for iterations in 1..=MOST {

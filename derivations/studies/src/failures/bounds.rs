@@ -1,38 +1,39 @@
-//! Stability limits of the step size, as roots of a method's one-step map.
+//! Stability limits of the step size, as roots of equations for a method's one-step map.
 //!
-//! The map is that of [`Scheme`]: for the explicit methods the integrator's own step, run over expressions.
+//! The map is that of [`Scheme`]; for explicit methods it is the integrator's own step over symbolic expressions.
 
 use crate::stabilisation::schemes::Scheme;
 use algebra::real::{Polynomial, Root};
 use field::{Rational, Scalar};
 use symbolic::{Hypotheses, Sym, normal, univariate};
 
-/// The numerator of an expression as a polynomial in an unknown, without its roots at zero; `None` without rational coefficients.
+/// The numerator of an expression as a polynomial in an unknown, divided by its roots at zero; `None` without rational
+/// coefficients.
 pub fn numerator(expression: Sym, unknown: Sym) -> Option<Polynomial> {
     let above = normal(expression, &Hypotheses::none()).ok()?.numerator();
     let mut dense = univariate(above, unknown).ok()?;
-    // a root at zero is no bound
+    // a root at zero is no limit
     let first = dense.iter().position(|c| *c != Rational::int(0)).unwrap_or(0);
     dense.drain(..first);
     Polynomial::from_rationals(&dense)
 }
 
-/// The least positive root of an expression.
+/// The smallest positive root of an expression.
 pub fn first_positive(expression: Sym, unknown: Sym) -> Option<Root> {
     let zero = Root::rational(Rational::int(0))?;
     let roots = numerator(expression, unknown)?.real_roots();
     roots.into_iter().find(|root| root.compare(&zero).is_gt())
 }
 
-/// The value of a root that is rational: known as such, or equal to its nearest float.
+/// The value of a rational root: known as such, or equal to its nearest float.
 pub fn rational(root: &Root) -> Option<Rational> {
     let near = || Some(Rational::exactly(root.to_f64()));
     let is_root = |value: &Rational| Root::rational(*value).is_some_and(|other| root.compare(&other).is_eq());
     root.as_rational().or_else(near).filter(is_root)
 }
 
-/// The largest h a with which a method is stable on y' = -a y, a > 0: the first at which the factor of a step is 1 or -1. `None`
-/// for an A-stable method.
+/// The largest product h a for which a method is stable for y' = -a y, a > 0: the first at which the amplification
+/// factor is 1 or -1. `None` for an A-stable method.
 pub fn fading(scheme: Scheme) -> Option<Root> {
     let beta = Sym::symbol("beta");
     let [factor] = scheme.step([[-beta]], [Sym::int(1)]).ok()?;
@@ -40,8 +41,8 @@ pub fn fading(scheme: Scheme) -> Option<Root> {
     sides.reduce(|a, b| if a.compare(&b).is_lt() { a } else { b })
 }
 
-/// The longest step with which y'' = -a y, a > 0, does not grow: the first at which the determinant of a step is 1.
-/// `None` without such a step.
+/// The largest step size for which solutions of y'' = -a y, a > 0, do not grow: the first at which the determinant of a
+/// step is 1. `None` if there is no such step size.
 pub fn swinging(scheme: Scheme, square: Rational) -> Option<Root> {
     let kappa = Sym::symbol("kappa");
     let [[a, b], [c, d]] = scheme.transition(Sym::ZERO, kappa).ok()?;

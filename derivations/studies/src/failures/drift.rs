@@ -1,4 +1,4 @@
-//! Drift-off from a constraint after index reduction, which keeps only its second derivative.
+//! Drift off a constraint after index reduction, which enforces only the second derivative of the constraint.
 
 use super::trials::{BUDGET, fate};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
@@ -28,13 +28,13 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// The length of the long run over that of the scene.
+/// The length of the long run divided by that of the scene.
 const LONGER: f64 = 10.0;
-/// Steps of the long run.
+/// The number of steps of the long run.
 const LONG: u32 = 10_000;
-/// The largest violation that a run may have, m^2.
+/// The largest allowed violation, m^2.
 const KEPT: f64 = 1e-6;
-/// A velocity error at the start, m/s, and the steps of the run in which its violation grows.
+/// An initial velocity error, m/s, and the number of steps of the run in which its violation grows.
 const OFF: f64 = 1e-3;
 const STEPS: u32 = 1_000;
 const STEP: f64 = 1e-4;
@@ -64,7 +64,10 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     Ok(Found { thresholds: vec![passed_on], diagnosis, trials })
 }
 
-/// The mechanism from the data of a scene; the error names the datum that is missing.
+/// The mechanism from the data of a scene.
+///
+/// # Errors
+/// The name of a missing datum.
 fn mechanism(scene: &dyn IvpScene) -> Result<CrankSlider<f64>, &'static str> {
     let data = scene.parameters();
     let datum = |name: &'static str| {
@@ -107,13 +110,13 @@ fn minimal(mechanism: &CrankSlider<f64>, start: [f64; 2]) -> Configuration {
     }
 }
 
-/// f and f' at (q, q').
+/// The residuals f and f' at (q, q').
 fn violation(mechanism: &CrankSlider<f64>, y: &[f64]) -> [f64; 2] {
     let found = Kinematics::of(mechanism, &state::<f64, 2>(0.0, y));
     [found.value[0], found.rate[0]]
 }
 
-/// The growth of a violation in a run, divided by its first rate and the time: one in theory.
+/// The growth of a violation in a run, divided by its initial rate and the time; theoretically one.
 fn added(mechanism: &CrankSlider<f64>, start: &[f64]) -> Option<f64> {
     let mut y = start.to_vec();
     *y.get_mut(3)? += OFF;
@@ -133,14 +136,14 @@ fn drifts(mechanism: &CrankSlider<f64>, start: &[f64], end: f64) -> Option<Drift
     drifting.found
 }
 
-/// Trials of a formulation by the methods that it accepts.
+/// Trials of a formulation by all methods that accept it.
 fn tried(mechanism: &CrankSlider<f64>, way: &Configuration, span: f64) -> Vec<Trial> {
     let constant = Method::RungeKutta4 { steps: LONG };
     let attempts = match &way.law {
         Treated::Free(law) => {
             [constant, Method::DormandPrince8].map(|method| Attempt::Integrated(&**law, method)).to_vec()
         }
-        // a formulation with contacts is not compared here
+        // formulations with contacts are not compared here
         Treated::Hybrid(_) => Vec::new(),
         Treated::Held(law) => vec![
             Attempt::Held(&**law, Index2Method::ProjectedGauss { stages: 3, steps: 2_500 }),

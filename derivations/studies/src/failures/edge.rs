@@ -1,10 +1,10 @@
-//! Bisection for the threshold at which a test ceases to hold.
+//! Bisection for the threshold of a condition.
 
-/// Bisections after which a threshold is found to the last bit.
+/// The largest number of bisections; a threshold is then known to the last bit.
 const MOST: usize = 60;
 
-/// The threshold between a value at which `test` holds and one at which it fails, to a relative accuracy; `None` where the test does
-/// not hold at the first or holds at the second.
+/// The threshold between a value for which `test` is true and one for which it is false, to the relative accuracy
+/// `share`; `None` where `test` is false at the first or true at the second.
 pub fn edge(holds: f64, fails: f64, share: f64, test: impl Fn(f64) -> bool) -> Option<f64> {
     if !test(holds) || test(fails) {
         return None;

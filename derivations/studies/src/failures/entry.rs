@@ -1,4 +1,4 @@
-//! An entry of the catalogue of failure: scene, thresholds, trials of all methods.
+//! An entry of the catalogue of failures: scene, thresholds, trials of all methods.
 
 use super::{Exact, Trial};
 use reader::SceneError;
@@ -7,7 +7,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// A way in which methods fail.
+/// A way in which numerical methods fail.
 #[derive(Clone, Copy, Debug)]
 pub struct Failing {
     /// The name on the command line.
@@ -25,7 +25,7 @@ pub struct Failing {
     pub(super) measure: fn(&Path) -> Result<Found, NotFound>,
 }
 
-/// The results of measuring an entry on its scene.
+/// The measured results of an entry.
 #[derive(Clone, Debug)]
 pub struct Found {
     pub thresholds: Vec<Threshold>,
@@ -34,7 +34,7 @@ pub struct Found {
     pub trials: Vec<Trial>,
 }
 
-/// The threshold at which a failure begins, by theory and by runs.
+/// A threshold at which a failure begins, by theory and by runs.
 #[derive(Clone, Debug)]
 pub struct Threshold {
     /// The quantity that has this threshold, and the method.
@@ -43,7 +43,7 @@ pub struct Threshold {
     pub formula: Cow<'static, str>,
     /// The value of the formula for the scene's data.
     pub exact: Exact,
-    /// Empty for a pure number.
+    /// The unit; empty for a pure number.
     pub unit: Cow<'static, str>,
     /// The threshold measured by runs; `None` where they showed none.
     pub measured: Option<f64>,
@@ -53,23 +53,23 @@ pub struct Threshold {
 /// The accuracy of a measured threshold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Within {
-    /// A relative error of one over this number; an absolute error where the threshold is zero.
+    /// A relative error of one over this number; an absolute error if the threshold is zero.
     Share(u32),
-    /// A factor, where the threshold is of the size of rounding.
+    /// A factor, for thresholds of the size of rounding.
     Factor(u32),
 }
 
-/// The reason for which an entry was not measured.
+/// The reason why an entry was not measured.
 #[derive(Clone, Debug)]
 pub enum NotFound {
     Scene(SceneError),
-    /// The scene is not of the kind that fails in this way.
+    /// The scene cannot show this failure.
     Unsuitable {
         scene: PathBuf,
         what: String,
         accepted: &'static str,
     },
-    /// The time allowed is over, or the user interrupted.
+    /// The time limit was reached, or the user interrupted.
     BrokenOff {
         scene: PathBuf,
     },
@@ -79,7 +79,7 @@ impl Failing {
     /// Measures the entry on its scene in a folder of scenes.
     ///
     /// # Errors
-    /// [`NotFound`].
+    /// [`NotFound`] where the scene is unsuitable or the measurement is interrupted.
     pub fn measure(&self, folder: &Path) -> Result<Found, NotFound> {
         (self.measure)(&folder.join(self.scene))
     }
@@ -114,10 +114,10 @@ impl NotFound {
     }
 }
 
-/// Parameters of a text model, by their names.
+/// The values of parameters of a text model, by name.
 ///
 /// # Errors
-/// The first parameter that the model does not have.
+/// [`NotFound`] with the first parameter that the model does not have.
 pub(super) fn data<const N: usize>(
     scene: &dyn Modelled,
     path: &Path,

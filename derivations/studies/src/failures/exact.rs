@@ -17,7 +17,7 @@ pub enum Exact {
 }
 
 impl Exact {
-    /// The nearest float, or one of its neighbours.
+    /// A float within one unit in the last place.
     pub fn value(&self) -> f64 {
         match self {
             Exact::Number(number) => number.to_f64(),
@@ -52,15 +52,15 @@ impl fmt::Display for Exact {
     }
 }
 
-/// The integer coefficients of the root's polynomial, if all fit.
+/// The integer coefficients of the root's polynomial, if they are small enough.
 fn small(root: &Root) -> Option<Vec<i128>> {
     let integers = root.polynomial().integers()?;
-    // halved, so that the discriminant fits too
+    // halved range, so that the discriminant fits too
     let fits = |n: &i128| n.unsigned_abs() < 1 << 60;
     integers.iter().map(|n| n.to_string().parse().ok().filter(fits)).collect()
 }
 
-/// (p + q sqrt(n)) / d of a quadratic equation.
+/// Writes the root (p + q sqrt(n)) / d of a quadratic equation.
 fn surd(f: &mut fmt::Formatter<'_>, [a, b, c]: [i128; 3], value: f64) -> fmt::Result {
     let (mut inside, mut outside) = (b * b - 4 * a * c, 1);
     for square in (2..1000).rev() {
@@ -71,7 +71,7 @@ fn surd(f: &mut fmt::Formatter<'_>, [a, b, c]: [i128; 3], value: f64) -> fmt::Re
     let common = gcd(gcd(b, outside), 2 * a);
     let (p, q, d) = (-b / common, outside / common, 2 * a / common);
     let (p, d) = (p * d.signum(), d.abs());
-    // the sign that selects this one of the two roots
+    // the sign of the root with this value
     let sign = if (value * d as f64) < p as f64 { "-" } else { "+" };
     let root = if q == 1 { format!("sqrt({inside})") } else { format!("{q} sqrt({inside})") };
     let above = match (p, sign) {
@@ -86,7 +86,7 @@ fn gcd(a: i128, b: i128) -> i128 {
     if b == 0 { a.abs().max(1) } else { gcd(b, a % b) }
 }
 
-/// Writes the polynomial, and the place of the root among its real roots.
+/// Writes the polynomial, and the index of the root among its real roots.
 fn polynomial(f: &mut fmt::Formatter<'_>, root: &Root) -> fmt::Result {
     let all = root.polynomial().real_roots();
     let place = all.iter().filter(|other| other.compare(root).is_lt()).count() + 1;

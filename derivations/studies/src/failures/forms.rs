@@ -1,4 +1,4 @@
-//! Rounding errors and step limits of the gyrostat's first and second form as D -> 0.
+//! Rounding errors and step limits of the gyrostat's first and second form for D -> 0.
 
 use super::bounds::swinging;
 use super::edge::edge;
@@ -27,13 +27,13 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// Steps in which growth of an oscillation is detected.
+/// The number of steps in which growth of an oscillation is detected.
 const STEPS: u32 = 4_000;
-/// The initial angle of an oscillation, and the angle from which it counts as grown, rad.
+/// The initial angle of an oscillation, and the angle that counts as growth, rad.
 const SWING: [f64; 2] = [1e-6, 1e-3];
-/// Carriers whose D is computed in doubles and exactly.
+/// The number of carriers whose D is computed in double precision and exactly.
 const CARRIERS: u32 = 2_000;
-/// The largest relative error of an acceleration that a form may have.
+/// The largest allowed relative error of an acceleration.
 const DIGITS: f64 = 1e-12;
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
@@ -47,7 +47,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     if bodies.rotor.axis != Vector3::z() {
         return Err(NotFound::unsuitable(path, "the rotor's axis is not along z", accepted));
     }
-    // friction damps the oscillation, and the longest step is another
+    // friction damps the oscillation and changes the longest step
     if scene.machine.datum("f") != Some(0.0) {
         return Err(NotFound::unsuitable(path, "its rotor is braked", "f = \"0 N m s\""));
     }
@@ -83,7 +83,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     Ok(Found { thresholds: step.into_iter().chain([lost]).collect(), diagnosis: refused(&scene), trials })
 }
 
-/// The first form of bodies whose tensors are diagonal, from A.
+/// The first form of bodies with diagonal tensors, from A.
 fn first_of<P: Base>(bodies: &Gyrostat<P>, reduced: Matrix3<P>) -> FirstForm<P> {
     FirstForm::new(reduced.diagonal(), bodies.rotor.axis, bodies.rotor.axial, bodies.weight())
 }
@@ -92,13 +92,13 @@ fn second_of<P: Base>(bodies: &Gyrostat<P>) -> SecondForm<P> {
     SecondForm::new(bodies.full_tensor().diagonal(), bodies.rotor.axis, bodies.rotor.axial, bodies.weight())
 }
 
-/// phi'' of a gyrostat that hangs at rest, under a torque on its rotor.
+/// phi'' of a gyrostat that hangs at rest, for a torque on its rotor.
 fn turning<P: Base>(form: &impl Form<P>, torque: P) -> P {
     let (rest, down) = (Vector3::zeros(), Vector3::new(P::zero(), P::zero(), P::one()));
     form.accelerations(rest, down, P::zero(), torque).1
 }
 
-/// The largest error of D in doubles, over carriers whose D is small.
+/// The largest error of D in double precision, over carriers with small D.
 fn error_of_d(axial: f64) -> f64 {
     let one = |j: u32| {
         let along = axial * (1.0 + 1e-7 * f64::from(j));
@@ -114,7 +114,7 @@ fn error_of_d(axial: f64) -> f64 {
     (1..=CARRIERS).map(one).fold(0.0, f64::max)
 }
 
-/// For each form: whether its acceleration under a torque of 1 N m is right to `DIGITS`.
+/// For each form, whether its acceleration for a torque of 1 N m is accurate to `DIGITS`.
 fn digits(bodies: &Gyrostat<f64>, exact: Rational) -> Vec<Trial> {
     let keeps = |found: f64| {
         let off = (Rational::exactly(found) / exact - Rational::one()).to_f64().abs();
@@ -131,7 +131,7 @@ fn digits(bodies: &Gyrostat<f64>, exact: Rational) -> Vec<Trial> {
     .into()
 }
 
-/// Whether a small oscillation does not grow under Runge-Kutta 4 with the step size h, s.
+/// Whether a small oscillation does not grow with Runge-Kutta 4 with the step size h, s.
 fn swings(problem: &Problem, h: f64) -> bool {
     let Some(angle) = problem.columns.iter().position(|name| name == "angle") else { return false };
     let mut state = problem.state.clone();
@@ -142,7 +142,7 @@ fn swings(problem: &Problem, h: f64) -> bool {
     outcome.reached() && outcome.state[angle].abs() < SWING[1]
 }
 
-/// The message that refuses the scene's carrier without inertia about the axis.
+/// The message that rejects the scene's carrier if it has no inertia about the axis.
 fn refused(scene: &Scene) -> String {
     let Setup::Gyrostat(bodies) = &scene.system else { return String::new() };
     let mut flat = **bodies;

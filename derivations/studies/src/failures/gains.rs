@@ -1,4 +1,4 @@
-//! Constraint stabilisation with gains outside the stability region of explicit Euler.
+//! Constraint stabilisation with gains outside the stability region of the explicit Euler method.
 
 use super::bounds::first_positive;
 use super::edge::edge;
@@ -24,7 +24,7 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// Steps in which growth of a violation is detected.
+/// The number of steps in which growth of a violation is detected.
 const STEPS: u32 = 3_000;
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
@@ -68,7 +68,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     Ok(Found { thresholds: thresholds.into_iter().flatten().collect(), diagnosis, trials })
 }
 
-/// Whether a run of Euler keeps the constraint with a damping, 1/s.
+/// Whether a run of Euler's method satisfies the constraint with a damping gain, 1/s.
 fn kept(scene: &dyn Modelled, damping: f64, step: f64) -> bool {
     let Ok(scene) = scene.with_values(&[("damping", damping)]) else { return false };
     let mut problem = scene.problem(Axes::First);

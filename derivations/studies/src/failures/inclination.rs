@@ -49,7 +49,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     Ok(Found { thresholds: vec![threshold], diagnosis, trials })
 }
 
-/// Whether every state (p, q) = (i, j)/10, (g1, g2) = 3 (i, j)/100 is refused.
+/// Whether every state (p, q) = (i, j)/10, (g1, g2) = 3 (i, j)/100 is rejected.
 fn all_refused<S: Scalar>(number: impl Fn(f64) -> S) -> bool {
     let top = Top { equatorial: 2.0, axial: 1.0, static_moment: 1.0, gyroscope: 0.5, gravity: 9.81, tide: 0.0 };
     let top = top.map(&number).fixed();

@@ -1,18 +1,18 @@
-//! The catalogue of failure: the ways in which integration methods fail, each with its exact threshold by theory and the measured one.
+//! The catalogue of failures of integration methods, each with its exact threshold by theory and the measured one.
 //!
 //! # Overview
 //! * `entry`: one entry: scene, thresholds, the program's message, trials, remedy;
-//! * `exact`: a threshold by theory, rational, algebraic or a formula;
-//! * `bounds`: stability limits of the step size, as roots of a method's one-step map;
+//! * `exact`: a threshold by theory: rational, algebraic or a formula;
+//! * `bounds`: stability limits of the step size, as roots of equations for a method's one-step map;
 //! * `edge`: bisection for a threshold; `at_a_parameter`: Newton's method at a fold, where it fails;
-//! * `trials`: every method on a scene under a budget, with its fate; `slopes`: Jacobians of expensive laws; `slip`: friction
-//!   in a given direction;
+//! * `trials`: the result of every method on a scene with a budget; `slopes`: Jacobians of expensive laws; `slip`:
+//!   friction with a given direction;
 //! * `text_entry`: entries that are scenes with the table `[failure]`;
 //! * one file for each entry, in the order of the list below.
 //!
-//! A threshold by theory is computed from the scene's decimals, exactly. The measured one comes from runs alone: by bisection
-//! between a run that holds and one that does not, begun on both sides of the threshold by theory. The methods that survive are
-//! found by trials too.
+//! A theoretical threshold is computed exactly from the decimal data of the scene. The measured one comes from runs
+//! only: by bisection between a successful and a failing run, which begins on both sides of the theoretical threshold.
+//! The methods that succeed are determined by trials as well.
 
 mod at_a_parameter;
 mod bounds;
@@ -62,7 +62,7 @@ pub const ALL: &[Failing] = &[
     gains::FAILING,
 ];
 
-/// Whether a scene serves the catalogue alone.
+/// Whether a scene is used in the catalogue only.
 pub fn is_own(scene: &Path) -> bool {
     scene.parent().is_some_and(|folder| folder.ends_with(text_entry::FOLDER))
 }

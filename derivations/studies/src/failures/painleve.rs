@@ -1,4 +1,4 @@
-//! Painleve's paradox: states that admit no motion, or several.
+//! Painleve's paradox: states with no consistent motion, or with several.
 
 use super::bounds::first_positive;
 use super::edge::edge;
@@ -74,7 +74,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     Ok(Found { thresholds, diagnosis: trajectory.stopped().unwrap_or_default(), trials })
 }
 
-/// Whether the motion is unique from the start of a scene with another angle.
+/// Whether the motion from the start of a scene with another angle is unique.
 fn has_one_motion(scene: &dyn Modelled, angle: f64) -> bool {
     let turned = scene.with_values(&[("theta", angle)]);
     turned.is_ok_and(|turned| {
@@ -84,7 +84,8 @@ fn has_one_motion(scene: &dyn Modelled, angle: f64) -> bool {
     })
 }
 
-/// The fate of a run over 0.01 s that assumes slip backwards and checks no regime, from an angle without angular velocity.
+/// The result of a run over 0.01 s that assumes backward slip without a check of the regime, from an angle with angular
+/// velocity zero.
 fn granted(rod: SlenderRod<f64>, angle: f64, slide: f64) -> Fate {
     let (l, Circle { cos, sin }) = (rod.half_length, angle.circle());
     let start = State { time: 0.0, place: [l * cos, l * sin, cos, sin], velocity: [slide, 0.0, 0.0, 0.0] };

@@ -26,7 +26,7 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// The longest step along the curve, rad, and the greatest number of its points.
+/// The longest step along the curve, rad, and the largest number of points.
 const STEP: f64 = 0.15;
 const MOST: usize = 200;
 
@@ -93,18 +93,18 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     Ok(Found { thresholds, diagnosis, trials })
 }
 
-/// The torque on a rotor at synchronism, where no current flows.
+/// The torque on a rotor at synchronous speed, where no currents flow.
 fn torque<P: Datum, S: Over<P>>(motor: &Motor<P>, angle: Circle<S>) -> S {
     torque_and_current_rates(motor, angle, S::zero(), &[], &mut [])
 }
 
-/// The motor with this coefficient of viscous friction.
+/// The motor with another coefficient of viscous friction.
 fn rubbed<P: Datum>(motor: &Motor<P>, friction: P) -> Motor<P> {
     motor.over(|quantity, value| if quantity.name == "f" { friction } else { value })
 }
 
-/// The friction at the pull-out torque: the derivative of the torque by the angle vanishes, and the torque of friction
-/// balances it.
+/// The friction at pull-out: the derivative of the torque by the angle vanishes, and the friction torque balances the
+/// torque.
 fn critical(motor: &Motor) -> Option<Rational> {
     let t = Sym::symbol("t");
     let [free, rubbed] = [0, 1].map(|f| rubbed(&motor.decimals(), Sym::int(f)));
@@ -118,15 +118,16 @@ fn critical(motor: &Motor) -> Option<Rational> {
     folds.iter().filter_map(rational).filter_map(load).find(|load| load.sign() == Some(1))
 }
 
-/// The torque on a rotor at synchronism, over b0, by its angle and the friction over b0.
+/// The torque balance of a rotor at synchronous speed, divided by b0, as a function of the angle and of the friction
+/// divided by b0.
 struct Standing {
-    /// The motor without friction, and with a coefficient of friction of 1 N m s.
+    /// The motor without friction, and with a friction coefficient of 1 N m s.
     motors: [Motor; 2],
     unit: f64,
 }
 
 impl Standing {
-    /// The torque of friction is linear in the coefficient of friction.
+    /// the friction torque is linear in its coefficient
     fn value(&self, angle: Tangent<f64>, friction: Tangent<f64>) -> Tangent<f64> {
         let [free, rubbed] = self.motors.each_ref().map(|motor| torque(motor, angle.circle()));
         free / Tangent::fixed(self.unit) + friction * (rubbed - free)
@@ -147,7 +148,7 @@ impl Curve for Standing {
     }
 }
 
-/// Continuation of the steady angle from zero friction round the fold, until half a turn is passed.
+/// Continuation of the steady angle from zero friction around the fold, until the angle exceeds half a turn.
 fn round_the_fold(curve: &mut Standing, field_speed: f64) -> Option<Branch> {
     let within = |x: &[f64]| x[0].abs() < PI;
     let walk = ContinuationSettings {
@@ -160,8 +161,8 @@ fn round_the_fold(curve: &mut Standing, field_speed: f64) -> Option<Branch> {
     continue_branch(curve, &[0.0, 0.0], &[0.0, 1.0], &walk)
 }
 
-/// Whether a run of the motor alone stays synchronous under a friction, from its steady angle under that friction or, beyond
-/// pull-out, from a quarter turn behind the field.
+/// Whether a run of the motor alone stays synchronous with a given friction, from its steady angle or, beyond pull-out,
+/// from a quarter turn behind the field.
 fn stays(scene: &Scene, axial: f64, [field_speed, b0]: [f64; 2], f: f64) -> bool {
     let Some(machine) = scene.machine.with("f", f) else { return false };
     let held = (f * field_speed / b0).min(1.0);
@@ -174,7 +175,7 @@ fn stays(scene: &Scene, axial: f64, [field_speed, b0]: [f64; 2], f: f64) -> bool
     run.outcome.reached() && angle.is_some_and(|angle| angle.abs() < PI)
 }
 
-/// The number of steady angles under a friction, by isolation of real roots.
+/// The number of steady angles for a given friction, by isolation of real roots.
 fn standing_angles(scene: &Scene, friction: f64) -> Option<usize> {
     let motor = scene.given.with("f", friction)?.model("synchronous").ok()?;
     match MotorStates::of(&motor).ok()? {

@@ -27,18 +27,18 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// Steps over the scene's span.
+/// The number of steps over the scene's span.
 const STEPS: u32 = 5_000;
-/// The budget of evaluations on a discontinuous law.
+/// The budget of evaluations for a discontinuous law.
 const FEW: u64 = 21_000;
-/// A smaller speed counts as rest, m/s; in the bisection `STILL` is the limit, which rounding alone stays below.
+/// A smaller speed counts as rest, m/s; the bisection uses the limit `STILL`, which only rounding errors stay below.
 const REST: f64 = 1e-9;
 const STILL: f64 = 1e-13;
 /// The sliding speed below which the sign in the friction law is smoothed, m/s.
 const SMOOTH: f64 = 1e-3;
 
 type Rod<P> = SteeredRod<P>;
-/// The rod with friction as a sign of the speed, without events.
+/// The rod with friction by the sign of the speed, without events.
 type Sign = Slip<Rod<f64>, 4, 2>;
 
 const ACCEPTED: &str =
@@ -65,7 +65,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         measured: run(&*scene).passages.get(1).map(|event| event.time),
         within: Within::Share(1_000_000_000),
     };
-    // the acceleration from rest backwards is linear in the push
+    // the backward acceleration from rest is linear in the applied force
     let backwards = |drive: Rational| sliding(&Rod { drive, ..exact }, Rational::zero(), Direction::Backwards);
     let (none, unit) = (backwards(Rational::zero()), backwards(Rational::int(1)));
     let turns = -none / (unit - none);
@@ -112,13 +112,13 @@ fn decimals(rod: &Rod<f64>) -> Rod<Rational> {
     Rod { guided, free, length, gravity, drive, friction, sides }
 }
 
-/// The state of the rod that lies along the guide, with this speed.
+/// The state of the rod along the guide with a given speed.
 fn along<S: Scalar>(length: S, speed: S) -> State<S, 4> {
     let zero = S::zero();
     State { time: zero, place: [zero, zero, length, zero], velocity: [speed, zero, speed, zero] }
 }
 
-/// x1'' of the rod along its guide while it slides, by Cramer's rule.
+/// The acceleration x1'' of the rod along its guide in sliding, by Cramer's rule.
 fn sliding(rod: &Rod<Rational>, speed: Rational, direction: Direction) -> Rational {
     let at = along(rod.length, speed);
     let seen = Seen::<Rational, 4, 1>::of::<_, 2>(rod, &at, rod.force(&at));
@@ -133,7 +133,7 @@ fn run(scene: &dyn Modelled) -> Trajectory {
     scene.problem(Axes::default()).simulate(&scene.run().choice(), |_| ())
 }
 
-/// Whether the rod stays at rest where it stops, under a push: its final speed is then rounding.
+/// Whether the rod stays at rest after it stopped, under an applied force: its final speed is then a rounding error.
 fn stays(scene: &dyn Modelled, drive: f64) -> bool {
     let pushed = scene.with_values(&[("X", drive)]).map(|pushed| run(&*pushed));
     pushed.is_ok_and(|pushed| {
@@ -142,7 +142,7 @@ fn stays(scene: &dyn Modelled, drive: f64) -> bool {
     })
 }
 
-/// The trial of a method that locates the events.
+/// The trial of a method with event location.
 fn by_events(scene: &dyn Modelled, by: String, method: Method) -> Option<Trial> {
     let problem = scene.problem(Axes::default());
     let speed = problem.columns.iter().position(|name| name == "x'")?;
@@ -151,7 +151,7 @@ fn by_events(scene: &dyn Modelled, by: String, method: Method) -> Option<Trial> 
     Some(Trial { by: format!("by events, {by}"), fate })
 }
 
-/// The greatest speed after the instant at which the rod should rest.
+/// The largest speed after the time at which the rod should be at rest.
 fn chatter(law: &Sign, start: &[f64], end: f64, rest: f64) -> Option<f64> {
     struct Greatest(f64, f64);
     impl Observer<f64> for Greatest {

@@ -1,4 +1,4 @@
-//! Stability tests at a multiple eigenvalue: the sleeping top at its slowest speed.
+//! Stability tests at a multiple eigenvalue: the sleeping top at its critical speed.
 
 use super::bounds::first_positive;
 use super::edge::edge;
@@ -30,14 +30,14 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// The initial tilt, the tilt that counts as grown, and the time of the run, s.
+/// The initial tilt, the tilt that counts as growth, and the length of the run, s.
 const TILT: [f64; 2] = [1e-6, 1e-2];
 const TIME: f64 = 100.0;
-/// The tests are tried at speeds (1 +- 10^-k) times the slowest, k up to this number.
+/// The tests are made at speeds (1 +- 10^-k) times the critical one, for k up to this number.
 const DECADES: i32 = 15;
-/// Iterations after which the computation of eigenvalues is given up.
+/// The largest number of iterations for eigenvalues.
 const ITERATIONS: usize = 1_000;
-/// A real part that is taken for zero, relative to the root.
+/// Real parts below this, relative to the root, count as zero.
 const MARGIN: f64 = 1e-9;
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
@@ -101,7 +101,7 @@ fn lifted(bodies: &Gyrostat<Rational>) -> Gyrostat<Sym> {
     }
 }
 
-/// The first form of bodies whose tensors are diagonal.
+/// The first form of bodies with diagonal tensors.
 fn form<P: Base>(bodies: &Gyrostat<P>) -> FirstForm<P> {
     FirstForm::new(bodies.reduced_tensor().diagonal(), bodies.rotor.axis, bodies.rotor.axial, bodies.weight())
 }
@@ -119,28 +119,29 @@ fn jacobian<P: Base>(form: &FirstForm<P>, speed: P) -> [[P; 4]; 4] {
     std::array::from_fn(|i| std::array::from_fn(|k| columns[k][i]))
 }
 
-/// c2^2 - 4 c4.
+/// The discriminant c2^2 - 4 c4.
 fn discriminant<S: Scalar>(matrix: [[S; 4]; 4]) -> S {
     let [_, c2, _, c4] = characteristic(matrix);
     c2 * c2 - S::int(4) * c4
 }
 
-/// The largest real part of an eigenvalue, relative to the largest modulus, in doubles.
-/// `None` where the iteration does not converge, which happens at multiple eigenvalues.
+/// The largest real part of an eigenvalue, relative to the largest modulus, in double precision. `None` where the
+/// iteration does not converge, as happens for multiple eigenvalues.
 fn real_part(matrix: &[[f64; 4]; 4]) -> Option<f64> {
     let all = Schur::try_new(Matrix4::from_fn(|i, j| matrix[i][j]), f64::EPSILON, ITERATIONS)?.complex_eigenvalues();
     let most = |of: fn(&nalgebra::Complex<f64>) -> f64| all.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
     Some(most(|root| root.re) / most(|root| root.re.hypot(root.im)))
 }
 
-/// Whether each stability test is right at speeds on both sides of the slowest, with the carrier at rest.
+/// For each stability test, whether it is correct at speeds on both sides of the critical one, with the carrier at
+/// rest.
 fn verdicts(bodies: &Gyrostat<f64>, slowest: f64) -> Vec<Trial> {
     let exact = decimals(bodies);
     let near = (1..=DECADES).flat_map(|k| [1.0, -1.0].map(|side| slowest * (1.0 + side * 10f64.powi(-k))));
     let speeds: Vec<(f64, bool)> = near
         .map(|speed| (speed, discriminant(jacobian(&form(&exact), Rational::exactly(speed))).sign() == Some(1)))
         .collect();
-    // the answer of a test at each speed, if it terminates
+    // the result of a test at each speed, if it terminates
     let right = |says: &dyn Fn(f64) -> Option<bool>| {
         let said: Vec<(Option<bool>, bool)> = speeds.iter().map(|(speed, sleeps)| (says(*speed), *sleeps)).collect();
         match said {
@@ -169,7 +170,7 @@ fn verdicts(bodies: &Gyrostat<f64>, slowest: f64) -> Vec<Trial> {
     .into()
 }
 
-/// Whether a small tilt stays small along a run with the carrier's spin of the scene.
+/// Whether a small tilt stays small in a run with the carrier's spin of the scene.
 fn stays(scene: &Scene, rotor_speed: f64) -> bool {
     let vertical = Vector3::new(TILT[0], 0.0, -1.0);
     let angular_velocity = Vector3::new(0.0, 0.0, scene.start.angular_velocity.z);

@@ -1,4 +1,4 @@
-//! A contact that slips with a given direction of friction, without a check of the contact regime.
+//! A slipping contact with a given direction of friction, without a check of the contact regime.
 
 use field::{Analytic, Over, Scalar, Tangent};
 use integrators::{JacobianFn, Ode};
@@ -9,16 +9,16 @@ use mechanics::regimes::{Direction, Face, Mode, Seen};
 
 use super::slopes::ByTangents;
 
-/// The friction law, against the sliding velocity v.
+/// The friction law, opposite to the sliding velocity v.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Friction {
-    /// Friction of a slip in this direction, whatever v is.
+    /// Friction of slip in this direction, independent of v.
     Granted(Direction),
-    /// -f N v/sqrt(v^2 + e^2)
+    /// The smoothed law -f N v/sqrt(v^2 + e^2).
     Sign { smooth: f64 },
 }
 
-/// A system with one contact in touch, y = (x, x').
+/// A system with one closed contact, y = (x, x').
 #[derive(Clone, Copy, Debug)]
 pub struct Slip<Q, const N: usize, const C: usize> {
     pub system: Q,
@@ -26,7 +26,7 @@ pub struct Slip<Q, const N: usize, const C: usize> {
 }
 
 impl<Q: Contacts<N, C, 1, Given = f64>, const N: usize, const C: usize> Slip<Q, N, C> {
-    /// Accelerations, and normal and tangential reaction; `None` where the constraints are dependent.
+    /// Accelerations, and normal and tangential reactions; `None` where the constraints are dependent.
     pub fn motion<S: Over<f64> + Analytic>(&self, at: &State<S, N>) -> Option<([S; N], [S; 2])> {
         let mut seen = Seen::<S, N, 1>::of::<_, C>(&self.system, at, self.system.force(at)).ok()?;
         let direction = match self.friction {
@@ -54,7 +54,7 @@ where
     contact.along.slope
 }
 
-/// The parts of an integrated state.
+/// The coordinates and velocities of an integrated state.
 pub fn parts<S: Scalar, const N: usize>(time: S, y: &[S]) -> State<S, N> {
     State { time, place: std::array::from_fn(|i| y[i]), velocity: std::array::from_fn(|i| y[N + i]) }
 }

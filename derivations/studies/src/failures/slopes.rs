@@ -1,11 +1,11 @@
-//! The Jacobian of an expensive law by forward differentiation, one pass for each column.
+//! The Jacobian of an expensive law by forward differentiation, one evaluation for each column.
 //!
-//! Eight columns at once are cheaper only where the law is short enough to be inlined whole.
+//! Eight columns at once are faster only if the law is short enough to be inlined completely.
 
 use field::Tangent;
 use integrators::{JacobianFn, Ode};
 
-/// A law, with memory for one pass.
+/// A law, with buffers for one evaluation.
 pub struct ByTangents<'a, L> {
     law: &'a L,
     y: Vec<Tangent<f64>>,

@@ -1,4 +1,4 @@
-//! A singular coordinate: the integrable constraint of task 1 as sin(theta) goes to zero.
+//! A singular coordinate: the integrable constraint of task 1 for sin(theta) -> 0.
 
 use super::entry::data;
 use super::trials::{BUDGET, Running, Tried, near};
@@ -23,9 +23,10 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// The largest error of ln tan(theta/2) with which the angle still determines the place: a factor of two in tan(theta/2).
+/// The largest error of ln tan(theta/2) for which the angle still determines the position: a factor of two in
+/// tan(theta/2).
 const TOLD: f64 = LN_2;
-/// Steps of these runs while the angle's distance from pi decreases by the factor e.
+/// The number of steps in which the angle's distance from pi decreases by the factor e.
 const STEPS_TO_A_FOLD: f64 = 2.0;
 
 const ACCEPTED: &str =
@@ -55,8 +56,9 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         exact: Exact::Formula(formula, value),
         unit: "m".into(),
         measured: told_until(&by_place, &start, span),
-        // rounding errors decay as the distance does: their sum is below 1/2 (1 + e^-1/2 + e^-1 + ..) = 1.3 spacings, which double
-        // a distance of 2.5 instead of the 0.78 of theory: 0.9 m earlier; and the angle is checked every 0.38 m
+        // rounding errors decay as the distance does: their sum is below 1/2 (1 + e^-1/2 + e^-1 + ..) = 1.3 spacings,
+        // which doubles a distance of 2.5 instead of the theoretical 0.78: 0.9 m earlier; and the angle is checked
+        // every 0.38 m
         within: Within::Share(20),
     };
     let tolerance = 1e-9;
@@ -82,10 +84,10 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     Ok(Found { thresholds: vec![far], diagnosis, trials })
 }
 
-/// y = (x, theta, x').
+/// The rod with the state y = (x, theta, x').
 struct ByPlace(SteeredRod<f64>);
 
-/// y = (x, theta, theta').
+/// The rod with the state y = (x, theta, theta').
 struct ByAngle(SteeredRod<f64>);
 
 impl PointSystem<4> for ByAngle {
@@ -100,14 +102,14 @@ impl PointSystem<4> for ByAngle {
     }
 }
 
-/// x' = l theta'/(2 sin theta).
+/// The chart with x' = l theta'/(2 sin theta).
 impl Charted<4, 2, 1> for ByAngle {
     fn place<S: Over<f64> + Analytic>(&self, time: S, q: [S; 2]) -> [S; 4] {
         self.0.place(time, q)
     }
 
     fn rates<S: Over<f64> + Analytic>(&self, time: S, q: [S; 2], [turning]: [S; 1]) -> [S; 2] {
-        // theta' for a unit of x'
+        // theta' for x' = 1
         let [_, turned] = Charted::rates(&self.0, time, q, [S::one()]);
         [turning / turned, turning]
     }
@@ -133,7 +135,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for ByAngle {
     }
 }
 
-/// (q', p') by Appell's equations; undefined where they do not determine p'.
+/// (q', p') by Appell's equations; undefined where these do not determine p'.
 fn rates<Q, S>(rod: &Q, time: S, y: &[S], dy: &mut [S])
 where
     Q: Charted<4, 2, 1, Given = f64>,
@@ -149,10 +151,11 @@ where
 impl integrators::System for ByPlace {}
 impl integrators::System for ByAngle {}
 
-/// The way after which the angle no longer determines the place, at the end of the first step at which the error exceeds `TOLD`.
+/// The distance after which the angle no longer determines the position: the end of the first step at which the error
+/// exceeds `TOLD`.
 ///
-/// A tolerance would bound the error of the angle, not that of its distance from pi. The run therefore takes constant steps of
-/// Runge-Kutta 4, two while that distance decreases by the factor e; 3 % of it is left after the whole way.
+/// A tolerance would bound the error of the angle, not that of its distance from pi. The run therefore has constant
+/// steps of Runge-Kutta 4, two while that distance decreases by the factor e; 3 % of the distance remain at the end.
 fn told_until(law: &ByPlace, start: &[f64], end: f64) -> Option<f64> {
     struct First<F>(F, Option<f64>);
     impl<F: Fn(&[f64]) -> f64> Observer<f64> for First<F> {

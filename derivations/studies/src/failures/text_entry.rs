@@ -1,4 +1,4 @@
-//! Entries of the catalogue of failure as text: scenes with the table `[failure]`, of the folder or of a user.
+//! Entries of the catalogue of failures as text: scenes with the table `[failure]`.
 
 use super::edge::edge;
 use super::trials::{BUDGET, Trial, Tried};
@@ -13,10 +13,10 @@ use std::path::{Path, PathBuf};
 /// The folder of entries within a folder of scenes.
 pub(super) const FOLDER: &str = "failures";
 
-/// The bisection is finer than the comparison with theory by this factor.
+/// The factor by which the bisection is finer than the comparison with theory.
 const CLOSER: f64 = 10.0;
 
-/// The entries of a folder of scenes, by the names of their files; those that cannot be read are errors.
+/// The entries of a folder of scenes, sorted by file name; entries that cannot be read are errors.
 pub fn text_entries(folder: &Path) -> Vec<Result<(PathBuf, FailureEntry), SceneError>> {
     let Ok(files) = std::fs::read_dir(folder.join(FOLDER)) else { return Vec::new() };
     let mut files: Vec<PathBuf> = files.filter_map(|file| Some(file.ok()?.path())).collect();
@@ -33,15 +33,16 @@ pub fn text_entries(folder: &Path) -> Vec<Result<(PathBuf, FailureEntry), SceneE
 /// Reads an entry from its file.
 ///
 /// # Errors
-/// All mistakes in the file, each with its place.
+/// All faults of the file, with their positions.
 pub fn text_entry(file: &Path) -> Result<FailureEntry, SceneError> {
     FailureEntry::parse(&file.display().to_string(), &read_text(file)?)
 }
 
-/// Measures an entry: the threshold by bisection between runs, and the fate of every method beyond it. `goes_on` can break it off.
+/// Measures an entry: the threshold by bisection between runs, and the result of every method beyond it. `goes_on` may
+/// stop the measurement.
 ///
 /// # Errors
-/// Where the measurement is broken off, and where the run at `fails_at` shows another failure than is expected.
+/// [`NotFound`] where the measurement is stopped, or the run at `fails_at` shows another failure than expected.
 pub fn measure_text(
     file: &Path,
     entry: &FailureEntry,
@@ -97,12 +98,12 @@ fn trials(entry: &FailureEntry, fails: f64) -> Vec<Trial> {
         tried.steps = steps;
     }
     let (outcome, right, left) = tried.run(RIGHT);
-    // components that decay before the first output count with their initial size
+    // components that decay before the first output have their initial size
     let mut sizes = Sizes(problem.state.iter().map(|part| part.abs()).collect());
     let span = Span::new(0.0, problem.span, &problem.state).with_evaluations(BUDGET);
     problem.integrate(RIGHT, &Tolerance::both(choice.tolerance), &span, &mut sizes);
     let Sizes(sizes) = sizes;
-    // a motion whose law ends cannot be followed to the end of the span; where time or evaluations ended it, nothing is known
+    // a motion whose law ends cannot reach the end of the span; after the end of time or evaluations nothing is known
     let is_over = left.is_some() || outcome.failure().is_some_and(|why| !why.is_broken_off() && !is_costly(why));
     let follows = |record: &Record<f64>| match outcome.reached() {
         true => near_motion(record, &right, &sizes, choice.tolerance),
@@ -114,16 +115,16 @@ fn trials(entry: &FailureEntry, fails: f64) -> Vec<Trial> {
     })
 }
 
-/// The method whose run is the reference.
+/// The method of the reference run.
 const RIGHT: Method = Method::RadauIIA { stages: 7 };
 
-/// The largest error of a component, relative to its size, in a run that holds.
+/// The largest relative error of a component in a successful run.
 const AS_RIGHT: f64 = 0.1;
 
 /// A component smaller than this multiple of the tolerance times the largest component is not compared.
 const TOLERANCES: f64 = 1e3;
 
-/// Whether a run is near the reference in every component, relative to its size along the motion.
+/// Whether a run is close to the reference in every component, relative to its size along the motion.
 fn near_motion(record: &Record<f64>, right: &Record<f64>, sizes: &[f64], tolerance: f64) -> bool {
     let least = TOLERANCES * tolerance * sizes.iter().copied().fold(0.0, f64::max);
     let is_close = |(a, b): (&Vec<f64>, &Vec<f64>)| {
@@ -132,7 +133,7 @@ fn near_motion(record: &Record<f64>, right: &Record<f64>, sizes: &[f64], toleran
     record.states.len() == right.states.len() && record.states.iter().zip(&right.states).all(is_close)
 }
 
-/// Whether a run ended because it used up its evaluations.
+/// Whether a run ended because its budget of evaluations was exhausted.
 fn is_costly(why: Failure) -> bool {
     matches!(why, Failure::TooManyEvaluations { .. })
 }

@@ -1,60 +1,60 @@
-//! Trials: every method on a scene under a budget of evaluations, and its fate.
+//! Trials: the result of every method on a scene with a budget of evaluations.
 
 use integrators::{End, Failure, Method, Outcome, Record, Span, System, Tolerance, check_by_step_halving, integrate};
 use simulation::{Problem, methods};
 use std::fmt;
 
-/// The fate of a method in a trial.
+/// The result of a method in a trial.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fate {
-    /// The result meets the condition.
+    /// The result satisfies the condition.
     Holds,
-    /// The run reaches its end, the result does not meet the condition, and no warning is given.
+    /// The run reaches its end, the result violates the condition, and no warning is given.
     Wrong,
-    /// As `Wrong`, but the comparison with shorter steps shows that the run does not follow its law.
+    /// As `Wrong`, but step halving shows that the run does not follow its law.
     Told(&'static str),
-    /// The run stops with this reason.
+    /// The run stops for this reason.
     Stops(String),
-    /// The result is not a number: this must never happen.
+    /// The result is NaN: this must never happen.
     Undefined,
 }
 
-/// A method or formulation with its fate.
+/// A method or formulation with its result.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Trial {
-    /// A method as the command line reads it, or a formulation.
+    /// The name of a method on the command line, or a formulation.
     pub by: String,
     pub fate: Fate,
 }
 
-/// The usual budget of evaluations: a limit in time would make results depend on the machine.
+/// The default budget of evaluations. A time limit would make results depend on the machine.
 pub const BUDGET: u64 = 200_000;
 
-/// The law that methods run.
+/// The law that the methods integrate.
 #[derive(Clone, Copy)]
 pub enum Running<'a> {
     /// A law without events, over the whole span.
     Alone(&'a dyn System),
-    /// A problem, run across its events, or to the end of its law.
+    /// A problem, across its events, or to the end of the validity of its law.
     Problem(&'a Problem),
 }
 
-/// A problem that every method is to try.
+/// A problem for trials of all methods.
 pub struct Tried<'a> {
     pub law: Running<'a>,
     pub state: &'a [f64],
-    /// s
+    /// The length of the run, s.
     pub span: f64,
     pub tolerance: f64,
     /// The number of steps of the methods with constant step size.
     pub steps: u32,
-    /// The number of output instants at which the result is checked.
+    /// The number of output times at which the result is checked.
     pub outputs: usize,
-    /// Evaluations that a method may spend.
+    /// The budget of evaluations of a method.
     pub budget: u64,
 }
 
-/// Every method with its name on the command line; those with constant step size take this number of steps.
+/// Every method with its name on the command line; methods with a constant step size make `steps` steps.
 pub fn every_method(steps: u32) -> impl Iterator<Item = (String, Method)> {
     methods::list().filter_map(move |(written, _)| {
         let name = written.replace("STEPS", &steps.to_string());
@@ -63,13 +63,13 @@ pub fn every_method(steps: u32) -> impl Iterator<Item = (String, Method)> {
 }
 
 impl<'a> Tried<'a> {
-    /// A problem with the defaults: four output instants, a thousand steps for methods with constant step size.
+    /// A problem with default settings: four output times, a thousand steps for methods with a constant step size.
     pub fn of(problem: &'a Problem, tolerance: f64) -> Self {
         let (law, Problem { state, span, .. }) = (Running::Problem(problem), problem);
         Tried { law, state, span: *span, tolerance, steps: 1_000, outputs: 4, budget: BUDGET }
     }
 
-    /// Runs one method: the outcome, the record of its outputs, and the reason where the law ended.
+    /// Runs one method: the outcome, the record of its outputs, and the reason if the validity of the law ended.
     pub fn run(&self, method: Method) -> (Outcome<f64>, Record<f64>, Option<&'static str>) {
         let span = Span::new(0.0, self.span, self.state).with_even_outputs(self.outputs).with_evaluations(self.budget);
         let mut record = Record::new();
@@ -86,7 +86,7 @@ impl<'a> Tried<'a> {
         self.run(Method::RadauIIA { stages: 7 }).1
     }
 
-    /// Trials of all methods that accept the law; `holds` judges a run that reached its end.
+    /// Trials of all methods that accept the law; `holds` checks a run that reached its end.
     pub fn all(&self, holds: impl Fn(&Record<f64>) -> bool) -> Vec<Trial> {
         let one = |(by, method): (String, Method)| {
             let (outcome, record, left) = self.run(method);
@@ -106,7 +106,7 @@ impl<'a> Tried<'a> {
     }
 }
 
-/// The fate of a run.
+/// The result of a run.
 pub fn fate(
     outcome: &Outcome<f64>,
     record: &Record<f64>,
@@ -126,7 +126,7 @@ pub fn fate(
 }
 
 impl Fate {
-    /// The order in tables: methods that hold first, then those that fail silently.
+    /// The order in tables: successful methods first, then those that fail silently.
     pub fn rank(&self) -> u8 {
         match self {
             Fate::Holds => 0,
@@ -150,15 +150,15 @@ impl fmt::Display for Fate {
     }
 }
 
-/// A component below this share of the largest counts as zero.
+/// A component below this fraction of the largest counts as zero.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether a run is near the reference in every component, relative to the component's size.
+/// Whether a run is close to the reference in every component, relative to the component's size.
 pub fn near(record: &Record<f64>, right: &Record<f64>, share: f64) -> bool {
     let count = right.states.first().map_or(0, Vec::len);
     let size = |i: usize| right.states.iter().map(|state| state[i].abs()).fold(f64::MIN_POSITIVE, f64::max);
     let sizes: Vec<f64> = (0..count).map(size).collect();
-    // components that are zero up to rounding
+    // for components that are zero within rounding
     let least = ROUNDING * sizes.iter().copied().fold(0.0, f64::max);
     let sizes: Vec<f64> = sizes.into_iter().map(|size| size.max(least)).collect();
     let close =
@@ -166,7 +166,7 @@ pub fn near(record: &Record<f64>, right: &Record<f64>, share: f64) -> bool {
     record.times == right.times && record.states.iter().zip(&right.states).all(close)
 }
 
-/// The fate of a method on a problem with events; `None` where the method does not accept the law.
+/// The result of a method on a problem with events; `None` where the method does not accept the law.
 pub fn across_events(
     problem: &Problem,
     (method, tolerance): (Method, f64),

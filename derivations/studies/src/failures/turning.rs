@@ -23,11 +23,11 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// Steps in which growth of the length is detected.
+/// The number of steps in which growth of the length is detected.
 const STEPS: u32 = 400;
-/// Steps over the whole scene of the methods with constant step size.
+/// The number of steps of methods with a constant step size.
 const CONSTANT: u32 = 4_000;
-/// The largest error of the squared length that a run may have.
+/// The largest allowed error of the squared length.
 const KEPT: f64 = 1e-4;
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
@@ -71,7 +71,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     Ok(Found { thresholds: step.into_iter().chain([lost]).collect(), diagnosis, trials })
 }
 
-/// The share of the squared length that the run loses, exactly, by the determinant of a step.
+/// The exact fraction of the squared length that the run loses, from the determinant of a step.
 fn lost(kappa: Rational) -> Exact {
     let map = Scheme::RungeKutta4.transition(Rational::zero(), kappa);
     let factor = map.map_or(Rational::UNDEFINED, |[[a, b], [c, d]]| a * d - b * c);
@@ -84,7 +84,7 @@ fn length(y: &[f64]) -> f64 {
     y.iter().skip(3).take(3).map(|v| v * v).sum()
 }
 
-/// v.v after a number of steps h of Runge-Kutta 4.
+/// v.v after a number of steps of size h of Runge-Kutta 4.
 fn after(problem: &Problem, h: f64, steps: u32) -> Option<f64> {
     let span = Span::new(0.0, h * f64::from(steps), &problem.state);
     let method = Method::RungeKutta4 { steps };

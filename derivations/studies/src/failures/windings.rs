@@ -1,4 +1,4 @@
-//! Stiffness of windings: the step limits of explicit methods as inductances shrink.
+//! Stiffness of windings: step limits of explicit methods for decreasing inductances.
 
 use super::bounds::fading;
 use super::edge::edge;
@@ -22,9 +22,9 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// Steps in which growth of a disturbance is detected.
+/// The number of steps in which growth of a disturbance is detected.
 const STEPS: u32 = 6_000;
-/// A current beyond which a run counts as growing, A.
+/// A larger current counts as growth, A.
 const LOST: f64 = 1e6;
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
@@ -71,7 +71,7 @@ fn with_inductance(scene: &Scene, l2: f64) -> Option<Problem> {
     Some(Scene { machine, ..scene.clone() }.problem(Axes::First))
 }
 
-/// Whether a current of 1 A in the last bar alone decays with the step size h, s.
+/// Whether a current of 1 A in the last bar decays with the step size h, s.
 fn fades(problem: &Problem, scheme: Scheme, h: f64) -> bool {
     let mut state = problem.state.clone();
     if let Some(last) = state.last_mut() {

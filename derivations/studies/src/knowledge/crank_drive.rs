@@ -1,4 +1,5 @@
-//! The electromechanical drive as a text model: step sizes at which Euler's method is stable for its circuit and gains, and its end.
+//! The electromechanical drive as a text model: step sizes for which Euler's method is stable for its circuit and
+//! gains, and its margins.
 
 use crate::stabilisation::bearable::bearable_steps;
 use crate::stabilisation::drive_law::{Nine, Seven, violation};
@@ -16,7 +17,7 @@ use systems::crank_slider::CrankSlider;
 /// The name in the key `known_as` of scene files.
 pub const NAME: &str = "crank_drive";
 
-/// The share of the squared rod length up to which the rod's constraint may be violated.
+/// The fraction of the squared rod length up to which the rod's constraint may be violated.
 const LOST: f64 = 0.1;
 
 submit! { Knowledge {
@@ -34,7 +35,7 @@ submit! { Knowledge {
     ..Knowledge::EMPTY
 } }
 
-/// The data by their names.
+/// The data of the drive by name.
 fn data(scene: &dyn Modelled) -> Nine {
     let value = |name: &str| scene.value(name).unwrap_or(f64::NAN);
     let read = |quantity: &'static Quantity| Ok::<_, Infallible>(value(&quantity.name));
@@ -49,7 +50,7 @@ fn start(scene: &dyn Modelled) -> [f64; 7] {
     [f1, f2, q4 - q5, f4, f5, q6, f6]
 }
 
-/// The margin to the end of a run: it ends where the rod's constraint is violated by more than `LOST`.
+/// The margin of the run: it ends where the rod's constraint is violated by more than `LOST`.
 fn margins(scene: &dyn Modelled, names: &[String]) -> Option<Box<Margins>> {
     let drive = data(scene).drive;
     let place = |name: &str| names.iter().position(|known| known == name);
@@ -99,7 +100,7 @@ fn theory(scene: &dyn Modelled, choice: &Choice) -> Vec<String> {
     unusual(scene).into_iter().chain(gains).chain(circuit).collect()
 }
 
-/// Data that the equations admit, but that no real drive has.
+/// Descriptions of data that the equations admit, but no real drive has.
 fn unusual(scene: &dyn Modelled) -> Vec<String> {
     let CrankDrive { circuit, mechanism } = data(scene).drive;
     let quantities = Circuit::<f64>::QUANTITIES.iter().chain(CrankSlider::<f64>::QUANTITIES);
@@ -114,18 +115,18 @@ fn unusual(scene: &dyn Modelled) -> Vec<String> {
     beyond.chain(diode.into_iter().chain(rod).map(str::to_owned)).collect()
 }
 
-/// The theory of a constant step.
+/// Theoretical results for a constant step.
 struct Foreseen {
-    /// The step size h, s; zero where it varies.
+    /// The step size h, s; zero for variable steps.
     step: f64,
     /// Whether a violation of the constraint decays; `None` without gains.
     gains: Option<bool>,
-    /// Stability of Euler's method on the circuit, with the least and greatest of its stable step limits along the motion, s; `None` for
-    /// other methods.
+    /// The stability of Euler's method for the circuit, with the smallest and largest stable step size along the
+    /// motion, s; `None` for other methods.
     circuit: Option<(Bears, [f64; 2])>,
 }
 
-/// The part of the motion at whose instants Euler's method is stable on the circuit.
+/// The part of the motion during which Euler's method is stable for the circuit.
 #[derive(Clone, Copy)]
 enum Bears {
     Everywhere,
@@ -133,7 +134,7 @@ enum Bears {
     Nowhere,
 }
 
-/// h b and h^2 k.
+/// The dimensionless gains h b and h^2 k.
 fn in_steps(law: &Nine, step: f64) -> (f64, f64) {
     (step * law.damping, step * step * law.stiffness)
 }

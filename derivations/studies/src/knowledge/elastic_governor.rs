@@ -1,6 +1,6 @@
-//! The governor with an elastic rim, as a text model: stability of its stationary motion, and smaller models of the rim.
+//! The governor with an elastic rim as a text model: stability of its steady motion, and reduced models of the rim.
 //!
-//! With the rolled distance s, s' = R omega1, the rim relaxes by
+//! With the rolled distance s, s' = R omega1, the rim relaxes according to
 //!
 //!   lambda_s = x_s - psi ,    psi_s = alpha lambda - beta psi .
 
@@ -17,7 +17,7 @@ use systems::elastic_governor::ElasticGovernor;
 
 const NAME: &str = "elastic_governor";
 
-/// Coordinates, then speeds, as the scenes name them.
+/// The coordinates, then the speeds, as named in the scenes.
 const STATE: [&str; 12] =
     ["phi1", "phi2", "phi", "x", "lambda", "psi", "phi1'", "phi2'", "phi'", "x'", "lambda'", "psi'"];
 
@@ -36,16 +36,16 @@ submit! { Knowledge {
 
 submit! { Reductions { name: NAME, models } }
 
-/// The data by their names; the rim of the text has no mass.
+/// The data by name; the rim of the text model has no mass.
 fn data(scene: &dyn Modelled) -> ElasticGovernor<f64> {
     let Ok(data) = ElasticGovernor::read(|quantity| Ok::<_, Infallible>(scene.value(&quantity.name).unwrap_or(0.0)));
     data
 }
 
-/// The largest imbalance, relative to the terms, with which the data still count as having a stationary motion.
+/// The largest imbalance, relative to the terms, for which the data count as having a steady motion.
 const BALANCED: f64 = 1e-9;
 
-/// The speed omega1 of the stationary motion at x = x0, if the data have one.
+/// The speed omega1 of the steady motion at x = x0, if it exists, rad/s.
 fn stationary(data: &ElasticGovernor<f64>) -> Option<f64> {
     let pull = data.c2 * data.delta2 - data.c1 * data.delta1;
     let speed = (pull / (0.5 * data.ball * data.rest)).sqrt();
@@ -68,7 +68,7 @@ fn theory(data: &ElasticGovernor<f64>) -> Vec<String> {
     vec![format!("the stationary motion at omega1 = {speed:.9} rad/s, x = {} m is {verdict}{growth}", data.rest)]
 }
 
-/// Smaller models of the elastic rim.
+/// Reduced models of the elastic rim.
 fn models(scene: &dyn Modelled) -> Vec<ReducedModel> {
     let (written, data, start) = (scene.symbolic_law(), data(scene), scene.problem(Axes::First).state);
     let reduced = |name, dropped: &str, parameter, rim: Rim, kept: Vec<usize>| {
@@ -103,7 +103,7 @@ fn models(scene: &dyn Modelled) -> Vec<ReducedModel> {
     quasi_steady.flatten().into_iter().chain(sliding).chain(rolling).collect()
 }
 
-/// A rim without states of its own.
+/// A rim without states.
 #[derive(Clone, Copy)]
 enum Rim {
     Relaxed,
@@ -111,7 +111,7 @@ enum Rim {
     Rigid { place: f64 },
 }
 
-/// The map from a smaller model's state to the whole state.
+/// The map from a reduced model's state to the whole state.
 struct Whole {
     rim: Rim,
     data: ElasticGovernor<f64>,

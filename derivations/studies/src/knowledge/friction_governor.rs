@@ -1,4 +1,5 @@
-//! The friction governor whose wheel is pushed along its axle, and its smaller model without friction across the wheel.
+//! The friction governor with a force along the wheel's axle, and its reduced model without lateral friction of the
+//! wheel.
 
 use crate::model_reduction::models::Reductions;
 use crate::model_reduction::{Loss, Lower, ReducedModel};
@@ -8,7 +9,7 @@ use simulation::models::Modelled;
 
 const NAME: &str = "friction_governor";
 
-/// The friction across the wheel at both contacts.
+/// The parameter of lateral friction of the wheel at both contacts.
 pub(super) const LATERAL: &str = "lateral";
 
 submit! { Knowledge {
@@ -22,7 +23,8 @@ submit! { Knowledge {
 
 submit! { Reductions { name: NAME, models: |scene| frictionless(scene).into_iter().collect() } }
 
-/// The governor whose wheel slides along its axle without friction; `None` where the scene has no such friction.
+/// The reduced model in which the wheel slides along its axle without friction; `None` where the scene has no such
+/// friction.
 pub(super) fn frictionless(scene: &dyn Modelled) -> Option<ReducedModel> {
     if scene.value(LATERAL) == Some(0.0) {
         return None;

@@ -1,6 +1,7 @@
-//! The friction governor whose wheel follows a programme that keeps the second shaft's speed: closed forms, end and series.
+//! The friction governor with a programmed motion of the wheel that keeps the second shaft's speed: closed forms,
+//! margins and series.
 //!
-//! A wheel between a drum and a disc has the parameter R, one between two discs a.
+//! A governor with a drum and a disc has the parameter R, one with two discs has a.
 
 use super::friction_governor::{LATERAL, frictionless};
 use crate::model_reduction::models::Reductions;
@@ -31,10 +32,10 @@ submit! { Knowledge {
 
 submit! { Reductions { name: NAME, models } }
 
-/// The governor of a scene, without a push along the axle.
+/// The governor of a scene, without a force along the axle.
 ///
 /// # Errors
-/// The name of the parameter that is missing.
+/// The name of a missing parameter.
 pub fn governor(scene: &dyn Modelled) -> Result<Governor<f64>, &'static str> {
     let datum = |name: &'static str| scene.value(name).ok_or(name);
     let gearing = match scene.value("R") {
@@ -52,7 +53,7 @@ pub fn governor(scene: &dyn Modelled) -> Result<Governor<f64>, &'static str> {
     })
 }
 
-/// The motion of the wheel in closed form.
+/// The closed form of the motion of the wheel.
 struct Closed {
     course: ProgrammeEnd,
     what: &'static str,
@@ -101,7 +102,7 @@ fn theory(scene: &dyn Modelled) -> Vec<String> {
     said.into_iter().collect()
 }
 
-/// The share of its first value below which the second lever is taken as zero.
+/// The fraction of its initial value below which the second lever arm counts as zero.
 const NEAR: f64 = 1e-2;
 
 fn diagnosis(run: &Ended<'_>) -> Option<Diagnosis> {
@@ -123,7 +124,7 @@ fn diagnosis(run: &Ended<'_>) -> Option<Diagnosis> {
     Some(Diagnosis { what: what.to_owned(), at })
 }
 
-/// The margins to the end of the law: the levers of the wheel that change.
+/// The margins: the lever arms of the wheel that change.
 fn margins(scene: &dyn Modelled, states: &[String]) -> Option<Box<Margins>> {
     let gearing = governor(scene).ok()?.gearing;
     let place = states.iter().position(|name| name == "rho")?;
@@ -145,8 +146,8 @@ fn models(scene: &dyn Modelled) -> Vec<ReducedModel> {
     frictionless(scene).into_iter().chain(series(scene).unwrap_or_default()).collect()
 }
 
-/// Smaller models by truncated series of the programme in powers of its small parameter: only the time is a state of the wheel;
-/// the shafts turn as the wheel rolls.
+/// Reduced models by truncated series of the programmed motion in powers of its small parameter: the wheel has no state
+/// but the time; the shafts rotate as the wheel rolls.
 fn series(scene: &dyn Modelled) -> Option<Vec<ReducedModel>> {
     const ORDERS: [(usize, &str); 4] =
         [(1, "series to eps"), (2, "series to eps^2"), (4, "series to eps^4"), (8, "series to eps^8")];

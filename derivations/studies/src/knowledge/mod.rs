@@ -1,4 +1,5 @@
-//! Facts about systems beyond their equations, attached to scenes by the key `known_as`: closed forms, theory, ends, smaller models.
+//! Knowledge of systems beyond their equations, attached to scenes by the key `known_as`: closed forms, theory,
+//! margins, reduced models.
 
 pub mod crank_drive;
 mod elastic_governor;

@@ -1,4 +1,5 @@
-//! A symmetric top under the torques of Mukharlyamov's inverse problem, which make given functions integrals, and the end of its law.
+//! A symmetric top under the torques of Mukharlyamov's inverse problem, for which given functions are integrals;
+//! margins of its law.
 
 use field::Scalar;
 use nalgebra::Vector3;
@@ -24,7 +25,7 @@ submit! { Knowledge {
     ..Knowledge::EMPTY
 } }
 
-/// A p g2 - q g1 below this share of its first value is taken as zero, the singularity of the law.
+/// The fraction of its initial value below which A p g2 - q g1 counts as zero, the singularity of the law.
 const NEAR: f64 = 1e-2;
 
 fn diagnosis(run: &Ended<'_>) -> Option<Diagnosis> {
@@ -35,7 +36,7 @@ fn diagnosis(run: &Ended<'_>) -> Option<Diagnosis> {
     (run.has_left_its_law() || is_near).then(|| Diagnosis { what: what.to_owned(), at: None })
 }
 
-/// (p, q, r) and the vertical in the axes of the top, from its quaternion and its angular velocity.
+/// (p, q, r) and the vertical in the axes of the top, from its quaternion and angular velocity.
 fn attitude<S: Scalar>(quaternion: [S; 4], spin: [S; 3]) -> Attitude<S> {
     let [w, x, y, z] = quaternion;
     let two = S::int(2);
@@ -47,12 +48,12 @@ fn attitude<S: Scalar>(quaternion: [S; 4], spin: [S; 3]) -> Attitude<S> {
     Attitude { spin: spin.into(), vertical }
 }
 
-/// p g2 - q g1: the rate of the axis' inclination.
+/// The expression p g2 - q g1, which is the rate of the inclination of the axis.
 pub fn nodding<S: Scalar>(at: &Attitude<S>) -> S {
     at.spin.x * at.vertical.y - at.spin.y * at.vertical.x
 }
 
-/// The margin to the end of the law: the rate of the axis' inclination, with the sign that it has at the start.
+/// The margin of the law: the rate of the axis' inclination, with its initial sign.
 fn margins(scene: &dyn Modelled, states: &[String]) -> Option<Box<Margins>> {
     const STATE: [&str; 7] = ["F.q0", "F.q1", "F.q2", "F.q3", "F.wx", "F.wy", "F.wz"];
     let mut places = [0; 7];

@@ -1,6 +1,6 @@
-//! The cheapest reduced model, method and form that meet a tolerance in the outputs that matter.
+//! The cheapest reduced model, method and form that meet a tolerance in the outputs of interest.
 //!
-//! Cost is counted in evaluations of the law, and never timed: a scene has the same choice on any computer.
+//! The cost is counted in evaluations of the law, not timed: the choice for a scene is equal on all computers.
 
 use super::comparison::Comparison;
 use super::outputs::Watched;
@@ -14,36 +14,37 @@ use simulation::Law;
 
 /// The method's share of the tolerance, with a margin for errors that its pilot runs do not show.
 pub(super) const OF_METHOD: f64 = 0.3;
-/// The ratio of the tolerances of a run and of the finer one that measures its error.
+/// The ratio of the tolerances of a run and of the finer run that measures its error.
 pub(super) const FINER: f64 = 1e-2;
 /// Errors below this are rounding.
 pub(super) const ROUNDED: f64 = 1e-15;
-/// The greatest number of evaluations of a run.
+/// The largest number of evaluations of a run.
 pub(super) const MOST: u64 = 5_000_000;
 
-/// The models of a scene among which is chosen, its own first.
+/// The models of a scene to choose from, its own first.
 pub trait Models {
     /// The names of the outputs in a row.
     fn columns(&self) -> &[String];
 
-    /// The outputs of these names with their sizes, by a coarse run of the scene's own model; and its evaluations.
+    /// The outputs with these names and their sizes, from a coarse run of the scene's own model; and the number of its
+    /// evaluations.
     ///
     /// # Errors
-    /// The reason for which that run does not reach its end.
+    /// The reason why that run does not reach its end.
     fn watched(&self, names: &[String]) -> Result<(Watched, u64), String>;
 
-    /// A line with a verdict for each model; and the evaluations that the verdicts took.
+    /// A line with a verdict for each model; and the number of evaluations for the verdicts.
     fn lines(&self, watched: &Watched, tolerance: f64) -> (Vec<Line>, u64);
 
     /// The model of a line in every form.
     fn forms(&self, line: usize) -> Vec<Runnable<'_>>;
 
-    /// The code size of a line's law, bytes, where it is known: a measure of the cost of an evaluation.
+    /// The code size of a line's law in bytes, if known: a measure of the cost of an evaluation.
     fn code_size(&self, _line: usize) -> Option<usize> {
         None
     }
 
-    /// The law of a line with its initial state, where it is known before a run.
+    /// The law of a line with its initial state, if known before a run.
     fn start(&self, _line: usize) -> Option<(&dyn Law, &[f64])> {
         None
     }
@@ -53,32 +54,34 @@ pub trait Models {
         false
     }
 
-    /// The stored reference motion as rows at the instants, if any.
+    /// The stored reference motion as rows at the output times, if any.
     fn exact(&self) -> Option<Vec<Vec<f64>>> {
         None
     }
 
-    /// A run that switches between models: a line of its own, the last. The trials are those of the lines, the cheapest first.
+    /// A run that switches between models, as the last line. `_tried` are the trials of the lines, the cheapest first.
     fn mixed(&self, _watched: &Watched, _lines: &[Line], _tried: &[Trial], _wish: &Wish) -> Option<Mixed<'_>> {
         None
     }
 }
 
-/// A run at tolerances finer by a factor, with rows at these times; `None` where it does not reach its end.
+/// A run with all tolerances multiplied by a factor, with rows at these times; `None` where it does not reach its end.
 pub type Finer<'a> = dyn Fn(f64, &[f64]) -> Option<Run> + 'a;
 
-/// A run of several models.
+/// A run with several models.
 pub struct Mixed<'a> {
     pub line: Line,
     pub plan: Plan,
     pub go: Box<Finer<'a>>,
 }
 
-/// Chooses among the models that a run takes by name. The error estimate is the error of a method, and for a smaller model its
-/// distance from the run of the scene's own, each the largest over the run; neither is a bound.
+/// Chooses among the models that a run can select by name. The error estimate is the error of the method plus, for a
+/// reduced model, its distance from the run of the scene's own model, each the largest over the run; neither is a
+/// bound.
 ///
 /// # Errors
-/// The reason for which even a coarse run of the scene's own model does not reach its end, or an output without value on the way.
+/// The reason why even a coarse run of the scene's own model does not reach its end, or an output that is undefined on
+/// the way.
 pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
     let (watched, mut deciding) = models.watched(&wish.outputs)?;
     if let Some((name, time)) = &watched.without_value {

@@ -1,4 +1,5 @@
-//! Comparison of smaller models with a run of the scene's own, the most promising first, within a budget of evaluations.
+//! Comparison of reduced models with a run of the scene's own model, the most promising first, within a budget of
+//! evaluations.
 
 use super::Loss;
 use super::choose::{FINER, Models, OF_METHOD};
@@ -10,14 +11,14 @@ use super::trial::Trial;
 use integrators::Method;
 use std::cell::Cell;
 
-/// The budget of deciding, in runs of the scene's own model: smaller models have the part that its first runs have left; runs that
-/// differ too much end early.
+/// The budget of the decision, in runs of the scene's own model; reduced models get what its first runs have left. Runs
+/// with too large differences end early.
 const PRICE: f64 = 3.0;
-/// The least budget for smaller models, in runs of the scene's own model.
+/// The smallest budget for reduced models, in runs of the scene's own model.
 const LEAST: f64 = 1.0;
-/// A model that costs more than this share of the scene's own saves too little.
+/// A model is too expensive if it costs more than this fraction of the scene's own.
 const WORTH: f64 = 0.8;
-/// The tolerance that usually suffices for an error, as a share of it.
+/// The tolerance that usually suffices for an error, as a fraction of it.
 const USUAL: f64 = 0.1;
 
 /// The scene's own run and the data of the comparison.
@@ -28,14 +29,15 @@ pub struct Comparison<'a> {
     /// The largest relative error allowed.
     pub tolerance: f64,
     pub own: &'a Trial,
-    /// Evaluations spent on deciding before the comparison.
+    /// The number of evaluations spent before the comparison.
     pub before: u64,
-    /// Cost of the comparison so far, in evaluations of the scene's own law.
+    /// The cost of the comparison so far, in evaluations of the scene's own law.
     pub spent: u64,
 }
 
 impl Comparison<'_> {
-    /// Trials of the models that suffice, each with its distance from the scene's own run plus the error of that run; sets all verdicts.
+    /// The trials of the models that suffice, each with its distance from the scene's own run plus the error of that
+    /// run. Sets all verdicts.
     pub fn trials(&mut self, lines: &mut [Line]) -> Vec<Trial> {
         let mut order: Vec<usize> =
             (1..lines.len()).filter(|&line| lines[line].verdict == Sufficiency::Suffices).collect();
@@ -43,7 +45,7 @@ impl Comparison<'_> {
         order.sort_by_key(|&line| (matches!(lines[line].loss, Loss::Small { .. }), lines[line].states));
         let mut found: Vec<Trial> = Vec::new();
         for line in order {
-            // a model with no fewer states than one that suffices saves less
+            // a model with as many states as a sufficient one saves less
             let served = found.iter().any(|known| lines[known.line].states <= lines[line].states);
             lines[line].verdict = match self.left() > 0.0 && !served {
                 false => Sufficiency::NotTried,
@@ -60,13 +62,13 @@ impl Comparison<'_> {
         found
     }
 
-    /// Evaluations of the scene's own law that may still be spent.
+    /// The number of evaluations of the scene's own law that may still be spent.
     fn left(&self) -> f64 {
         let own = self.own.run.evaluations as f64;
         (PRICE * own - self.before as f64).max(LEAST * own) - self.spent as f64
     }
 
-    /// The cost of an evaluation of a line's law over that of the scene's own.
+    /// The cost of an evaluation of a line's law divided by that of the scene's own law.
     fn share(&self, line: usize) -> f64 {
         match (self.models.code_size(line), self.models.code_size(0)) {
             (Some(code), Some(own)) if own > 0 => code as f64 / own as f64,
@@ -80,8 +82,8 @@ impl Comparison<'_> {
         self.models.start(line).is_some_and(|(law, start)| is_stiff_at(law, start, span))
     }
 
-    /// Whether a model saves nothing, by an estimate before its run: at equal time scales only shorter code is cheaper, and with
-    /// an implicit method also fewer states.
+    /// Whether a model saves nothing, estimated before its run: with equal time scales only shorter code is cheaper,
+    /// and with an implicit method also fewer states.
     fn is_as_dear(&self, line: usize, lines: &[Line]) -> bool {
         let fewer = lines[line].states as f64 / lines[0].states as f64;
         let fastest = |line: usize| self.models.start(line).map(|(law, start)| fastest_at(law, start));
@@ -95,11 +97,11 @@ impl Comparison<'_> {
         cost > WORTH
     }
 
-    /// The trial of a line's model against the scene's own run.
+    /// The trial of a line's model, compared with the scene's own run.
     fn trial(&mut self, line: usize, is_approximate: bool) -> Result<Trial, Sufficiency> {
         let usual = (USUAL * OF_METHOD * self.tolerance).max(FINEST);
         let mut tolerance = self.own.plan.tolerance.min(usual);
-        // an exact model is too far off by its method alone
+        // the error of an exact model is that of its method only
         for is_last in if is_approximate { &[true][..] } else { &[false, true][..] } {
             match self.run_at(line, tolerance) {
                 Err(Sufficiency::TooFar) if !is_last => tolerance = (tolerance * FINER).max(FINEST),
@@ -140,7 +142,7 @@ impl Comparison<'_> {
             })
         };
         let found = by(is_stiff);
-        // a law may be stiff only after the start
+        // a law may become stiff after the start
         let again = found.is_none() && plan.method.traits().implicit && !is_stiff && !is_too_far.get();
         let found = if again { by(true) } else { found };
         found.ok_or(if is_too_far.get() { Sufficiency::TooFar } else { Sufficiency::NotCheaper })

@@ -8,18 +8,18 @@
 //! | the resistive current, -psi' s/R | nothing induces: L = 0 | (L/R) \|s\| |
 //! | none, 0 | the rotor is synchronous | psi'^2 \|s\|/R relative to the other torques |
 //!
-//! The first is a solution for fluxes with one harmonic, psi'' + psi constant, and is offered for these only. Windings with
-//! a supply, or with sliding conductors, have currents at synchronism too: all their currents take the steady values at the
-//! present angle and speed ([`motor::steady_currents`]).
+//! The first is a solution for fluxes with one harmonic, psi'' + psi constant, and is used for these only. Windings
+//! with a supply, or with sliding conductors, have currents at synchronism too: all their currents take the steady
+//! values at the present angle and speed ([`motor::steady_currents`]).
 
 use field::{Circle, Over, Tangent};
 use motor::Machine;
 use symbolic::{Hypotheses, Sym, decide};
 
-/// The kind of value that replaces a current.
+/// The algebraic value that replaces a current.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Current {
-    /// The periodic current at the present slip, held constant.
+    /// The periodic current for the present slip, taken as constant.
     AtPresentSlip,
     /// The current of a circuit without inductance.
     Resistive,
@@ -28,7 +28,7 @@ pub enum Current {
 }
 
 impl Current {
-    /// The current of a winding, A, at an angle and slip.
+    /// The current of a winding at an angle and slip (rad/s), A.
     pub fn of<S, M>(self, machine: &M, winding: usize, angle: Circle<S>, slip: S) -> S
     where
         S: Over<f64>,
@@ -45,7 +45,7 @@ impl Current {
         }
     }
 
-    /// Whether this kind is offered for a winding.
+    /// Whether this value is available for a winding.
     pub fn suits<M: Machine<f64>>(self, machine: &M, winding: usize) -> bool {
         match self {
             Current::AtPresentSlip => machine.resistance(winding) > 0.0 && has_one_harmonic(machine, winding),
@@ -54,7 +54,7 @@ impl Current {
         }
     }
 
-    /// The dropped part of the currents, in words for tables.
+    /// The neglected part of the currents, in words.
     pub fn dropped(self) -> &'static str {
         match self {
             Current::AtPresentSlip => "their transients; each current is that of the present slip",
@@ -72,7 +72,8 @@ impl Current {
         }
     }
 
-    /// The small parameter for a time constant, a slip and the slip's rate; `None` where it depends on more.
+    /// The small parameter for a time constant (s), a slip (rad/s) and its rate; `None` where it depends on other
+    /// quantities.
     pub fn value(self, time_constant: f64, slip: f64, rate: f64) -> Option<f64> {
         match self {
             Current::AtPresentSlip => Some(time_constant * time_constant * rate.abs()),
@@ -82,7 +83,7 @@ impl Current {
     }
 }
 
-/// psi, psi', psi''.
+/// The flux linkage and its derivatives psi, psi', psi''.
 fn flux<S: Over<f64>, M: Machine<f64>>(machine: &M, winding: usize, angle: Circle<S>) -> [S; 3] {
     let twice = angle.moving(S::one()).moving(Tangent::fixed(S::one()));
     let flux: Tangent<Tangent<S>> = machine.linkage(winding, twice);

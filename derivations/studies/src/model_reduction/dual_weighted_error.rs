@@ -1,13 +1,14 @@
-//! The dual-weighted error of a smaller model by transition matrices: its sources along the run, for each output.
+//! The dual-weighted error of a reduced model by transition matrices: contributions along the run, for each output.
 //!
-//! The run is cut into intervals. Over each the richer law starts on the lifted motion and ends off it by the local
-//! defect D_k = y(t_(k+1); Y_k) - Y_(k+1), and gives its transition matrix P_k. To first order the error at the end of
-//! the interval K is
+//! The run is divided into intervals. Over each interval the full law starts on the lifted motion and deviates from it
+//! by the local defect D_k = y(t_(k+1); Y_k) - Y_(k+1); its transition matrix is P_k. To first order the error at the
+//! end of the interval K is
 //!
 //!   e = sum_k P_K ... P_(k+1) D_k + P_K ... P_0 e_0 ,
 //!
-//! and for an output q.y the weights q P_K ... P_(k+1) of all D_k come from one pass backwards. This error equals that of
-//! [`error_propagation`](super::error_propagation) to first order, and also shows which intervals need the richer model.
+//! For an output q.y the weights q P_K ... P_(k+1) of all D_k follow from one backward pass. To first order this error
+//! equals that of [`error_propagation`](super::error_propagation); in addition it shows which intervals need the full
+//! model.
 
 use super::outputs::Watched;
 use super::sampled_run::INSTANTS;
@@ -22,17 +23,17 @@ pub struct Shares {
     pub times: Vec<f64>,
     /// `parts[i][k]`: the contribution of interval k to the final error of output i, relative to its size.
     pub parts: Vec<Vec<f64>>,
-    /// The contribution of an initial state off the lifted motion, for each output.
+    /// The contribution of the initial distance from the lifted motion, for each output.
     pub start: Vec<f64>,
-    /// The error of each output at each instant of the references, relative to its size.
+    /// The error of each output at each output time, relative to its size.
     pub errors: Vec<Vec<f64>>,
 }
 
 impl Hierarchy {
-    /// The contributions of a number of intervals, a multiple of the instants.
+    /// The contributions of `stretches` intervals, a multiple of the number of output times.
     ///
     /// # Errors
-    /// The failure of a run, or of a richer law without series.
+    /// [`Failure`] of a run, or for a full law without Taylor series.
     pub fn shares(
         &self,
         reduced: &ReducedModel,
@@ -84,7 +85,7 @@ impl Hierarchy {
         Ok(Shares { times: times[1..].to_vec(), parts, start, errors })
     }
 
-    /// The vector q of an output, relative to its size, by differences: rows are affine in the state.
+    /// The gradient q of an output, relative to its size, by differences: rows are affine in the state.
     pub(super) fn output(&self, column: usize, size: f64, time: f64, state: &[f64]) -> Vec<f64> {
         let mut moved = state.to_vec();
         let slope = |j: usize, moved: &mut Vec<f64>| {

@@ -1,9 +1,9 @@
-//! Exact elimination: a basis of rows, the coordinates of all rows in it, and the factorisation K D K^T.
+//! Exact linear algebra: a basis of rows, the coordinates of all rows in it, and the factorisation K D K^T.
 
 use field::{Rational, Scalar};
 use std::cmp::Ordering;
 
-/// The places of the first rows that form a basis of all rows.
+/// The indices of the first rows that form a basis of all rows.
 pub fn pivots(rows: &[Vec<Rational>]) -> Vec<usize> {
     let zero = Rational::int(0);
     // reduced basis rows, each with its pivot column
@@ -23,10 +23,10 @@ pub fn pivots(rows: &[Vec<Rational>]) -> Vec<usize> {
     found
 }
 
-/// The matrix B of row_k = sum_j B_kj row_(pivot j).
+/// The matrix B with row_k = sum_j B_kj row_(pivot j).
 pub fn shares(rows: &[Vec<Rational>], pivots: &[usize]) -> Vec<Vec<Rational>> {
     let m = pivots.len();
-    // the normal equations have one solution, since the pivot rows are independent
+    // the normal equations have a unique solution, since the pivot rows are independent
     let product = |a: &[Rational], b: &[Rational]| a.iter().zip(b).fold(Rational::int(0), |sum, (x, y)| sum + *x * *y);
     let gram: Vec<Vec<Rational>> =
         pivots.iter().map(|&i| pivots.iter().map(|&j| product(&rows[i], &rows[j])).collect()).collect();

@@ -1,13 +1,13 @@
-//! The error equation of a smaller model, by the richer law along the lifted motion.
+//! The error equation of a reduced model, with the full law along the lifted motion.
 //!
 //! With y = Y + a + b + ..., a of first and b of second order in the defect,
 //!
 //!   a' = F_y a - d ,    a(0) = y(0) - Y(0) ,
 //!   b' = F_y b + 1/2 F_yy[a, a] ,    b(0) = 0 .
 //!
-//! The error estimate is a; it is no bound, and is credible as far as b is small beside it. Both equations come from the
-//! richer law by automatic differentiation: with e and h infinitesimal, F at Y + (e + h) a + 2 e h b
-//! has F_y a at e, and F_yy[a, a] + 2 F_y b at e h.
+//! The error estimate is a; it is not a bound, and is credible only if b is small compared with a. Both equations
+//! follow from the full law by automatic differentiation: with e and h infinitesimal, F at Y + (e + h) a + 2 e h b has
+//! the coefficients F_y a of e, and F_yy[a, a] + 2 F_y b of e h.
 
 use super::reduced_model::{Lower, straight};
 use field::{Over, Scalar, Tangent};
@@ -31,7 +31,7 @@ pub fn carried(written: &Arc<dyn SymbolicLaw>, lower: &Lower) -> Option<Compiled
         let inputs: Vec<Tangent<Tangent<Sym>>> = moving.chain([Tangent::fixed(Tangent::fixed(time))]).collect();
         let mut moved = vec![Tangent::lift(0.0); n];
         tape.over().evaluate(&inputs, &mut moved);
-        // the defect is differentiated by symbols of its own: the state here may be any expressions
+        // the defect is differentiated with new symbols: the state here may be any expressions
         let defect = lower.defect(&*written, time, z);
         let first = moved.iter().zip(defect).map(|(rate, defect)| rate.value.slope - defect);
         let second = moved.iter().map(|rate| rate.slope.slope.half());

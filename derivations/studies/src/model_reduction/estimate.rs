@@ -1,4 +1,5 @@
-//! Error estimates of smaller models: the propagated error at every step of the run of the error equation, and at even instants.
+//! Error estimates of reduced models: the propagated error at every step of the error equation, and at equidistant
+//! times.
 
 use super::error_propagation::carried;
 use super::outputs::{Watched, largest};
@@ -9,26 +10,28 @@ use simulation::CompiledLaw;
 
 /// The relative tolerance of the error equation, whose solution is needed to 1/100.
 const CARRIED: f64 = 1e-4;
-/// The error need not be known better than to this share of the allowed one.
+/// The required accuracy of the error, as a fraction of the allowed error.
 const OF_ALLOWED: f64 = 1e-2;
 
 /// The error estimate of a model: for each output the largest error over the run, relative to its size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
     pub each: Vec<f64>,
-    /// The largest error over the outputs, to first order.
+    /// The largest first-order error over the outputs.
     pub first: f64,
     /// The time of the largest error, s.
     pub at: f64,
-    /// The largest second-order term; unless it is small beside the first, the estimate is not believed.
+    /// The largest second-order term; the estimate is not credible unless this is small compared with the first order.
     pub second: f64,
-    /// Evaluations of the error equation.
+    /// The number of evaluations of the error equation.
     pub evaluations: u64,
-    /// Times with the rows of the smaller model's run corrected by the first-order error: better by one order, with unknown error.
+    /// Times with the rows of the reduced model's run, corrected by the first-order error: one order more accurate,
+    /// with unknown error.
     pub corrected: Vec<(f64, Vec<f64>)>,
-    /// The largest value of the small parameter along the smaller model's run, where it is defined.
+    /// The largest value of the small parameter along the reduced model's run, where defined.
     pub small: Option<f64>,
-    /// Whether the run was ended early because the error exceeds the allowed one: the estimate is then a lower value.
+    /// Whether the run was stopped because the error exceeds the allowed one: the estimate is then a lower bound of the
+    /// estimated error.
     pub given_up: bool,
 }
 
@@ -53,25 +56,26 @@ impl Estimate {
     }
 }
 
-/// The interpretation of a state (z, a, b) of the error equation: smaller model, first-order and second-order error.
+/// The interpretation of a state (z, a, b) of the error equation: reduced model, first-order and second-order error.
 pub(super) struct Carrying<'a> {
     pub watched: &'a Watched,
-    /// Y(t, z)
+    /// The lift Y(t, z).
     pub lift: &'a dyn Fn(f64, &[f64]) -> Vec<f64>,
-    /// The row of outputs from a state of the richer law.
+    /// The row of outputs from a state of the full law.
     pub row: &'a dyn Fn(f64, &[f64]) -> Vec<f64>,
-    /// The small parameter at a state of the smaller model.
+    /// The small parameter at a state of the reduced model.
     pub small: &'a dyn Fn(f64, &[f64]) -> Option<f64>,
     /// The number of retained states.
     pub kept: usize,
 }
 
 impl Carrying<'_> {
-    /// Integrates the error equation from a start, law after law, each to its time. `sizes` of z scale the integration's absolute
-    /// tolerances, `tolerance` those of the errors. Ended at the first step or instant at which the estimate exceeds `most`.
+    /// Integrates the error equation from a start, law after law, each to its end time. `sizes` of z scale the absolute
+    /// tolerances of the integration, `tolerance` those of the errors. Stops at the first step or output time at which
+    /// the estimate exceeds `most`.
     ///
     /// # Errors
-    /// The failure of the run of a law.
+    /// [`Failure`] of a run.
     pub fn estimate(
         &self,
         laws: &[(f64, CompiledLaw)],
@@ -143,15 +147,15 @@ impl Carrying<'_> {
 }
 
 impl Hierarchy {
-    /// The error estimate of a reduced model in the outputs, with an accuracy of a share of the tolerance.
+    /// The error estimate of a reduced model in the outputs, to a fraction of the tolerance.
     ///
     /// # Errors
-    /// The failure of the run: the smaller model's motion may leave the domain of the richer law.
+    /// [`Failure`] of the run: the reduced model's motion may leave the domain of the full law.
     pub fn estimate(&self, reduced: &ReducedModel, watched: &Watched, tolerance: f64) -> Result<Estimate, Failure> {
         self.estimate_within(reduced, watched, tolerance, f64::INFINITY)
     }
 
-    /// The error estimate of a reduced model, ended at the first step or instant at which it exceeds `most`.
+    /// The error estimate of a reduced model, stopped at the first step or output time at which it exceeds `most`.
     ///
     /// # Errors
     /// As [`Self::estimate`].
@@ -172,7 +176,7 @@ impl Hierarchy {
         let start = reduced.start.iter().copied().chain(first).chain(vec![0.0; n]).collect();
         let sizes: Vec<f64> = match &reduced.lower.kept {
             Some(places) => places.iter().map(|&place| watched.states[place]).collect(),
-            // the sizes of other states come from a coarse run of the smaller model
+            // the sizes of other states come from a coarse run of the reduced model
             None => {
                 let looks: Vec<f64> = looks(span).collect();
                 let (coarse, _) = followed_at(&*reduced.law, &Tolerance::both(COARSE), &looks, &reduced.start)?;
@@ -195,8 +199,8 @@ impl Hierarchy {
         carrying.estimate(&[(span, law)], start, &sizes, tolerance, most)
     }
 
-    /// The largest difference of the outputs, relative to their sizes, between the runs of a reduced model and of the law from which it
-    /// is derived.
+    /// The largest difference of the outputs, relative to their sizes, between the runs of a reduced model and of the
+    /// law from which it is derived.
     pub fn difference(&self, reduced: &ReducedModel, low: &Record<f64>, rich: &Record<f64>, watched: &Watched) -> f64 {
         let at = |((time, z), y): ((&f64, &Vec<f64>), &Vec<f64>)| {
             let low = self.row(*time, &reduced.lifted(*time, z, self.start.len()));

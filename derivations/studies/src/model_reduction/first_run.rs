@@ -1,4 +1,4 @@
-//! The first run of a scene's own model: it gives the sizes of the outputs, and the budget of other runs.
+//! The first run of a scene's own model: it determines the sizes of the outputs, and the budget of other runs.
 
 use super::outputs::{Watched, largest};
 use super::plan::{COARSE, LAST, first_of, is_stiff_at};
@@ -7,22 +7,22 @@ use super::sampled_run::looks;
 use integrators::{Failure, Method, Observer, Span, Tolerance};
 use simulation::Problem;
 
-/// Output instants of a pilot run by Taylor's method: a multiple of those of references.
+/// The number of output times of a pilot run by Taylor's method: a multiple of those of references.
 const DENSE: usize = 128;
 
 /// A coarse run.
 pub struct FirstRun {
     pub method: Method,
     pub run: Run,
-    /// Times and states, the start first.
+    /// Times (s) and states, including the start.
     pub along: Vec<(f64, Vec<f64>)>,
 }
 
 impl FirstRun {
-    /// A coarse run that reaches the end, and the evaluations of all attempts.
+    /// A coarse run that reaches the end, and the number of evaluations of all attempts.
     ///
     /// # Errors
-    /// The reason for which no run reaches the end.
+    /// The reason why no run reaches the end.
     pub fn of(own: &Problem) -> Result<(Self, u64), String> {
         let stiff = is_stiff_at(&*own.law, &own.state, own.span);
         let (mut spent, mut why) = (own.state.len() as u64, None);
@@ -30,7 +30,7 @@ impl FirstRun {
             if why.is_some() {
                 return (None, 0);
             }
-            // values of a Taylor polynomial between steps cost nothing
+            // evaluations of a Taylor polynomial between steps cost little
             let times: Vec<f64> = match method {
                 Method::Taylor => (1..=DENSE).map(|k| own.span * (k as f64 / DENSE as f64)).collect(),
                 _ => looks(own.span).collect(),
@@ -43,7 +43,7 @@ impl FirstRun {
             if outcome.reached() && left.is_none() && outcome.time == own.span {
                 return (Some((seen, evaluations)), evaluations);
             }
-            // numbers that overflow with one method overflow with any
+            // a state that overflows with one method overflows with any
             let overflows = matches!(outcome.failure(), Some(Failure::LeftTheNumbers { .. }));
             if overflows {
                 why = outcome.failure().map(|failure| failure.to_string());
@@ -75,7 +75,7 @@ impl FirstRun {
         Ok((FirstRun { method, run, along }, spent))
     }
 
-    /// The outputs of these names, with their sizes along the run.
+    /// The outputs with these names, and their sizes along the run.
     pub fn watched(&self, own: &Problem, names: &[String]) -> Watched {
         let start = (0.0, (own.row)(0.0, &own.state));
         let rows: Vec<&(f64, Vec<f64>)> =

@@ -16,29 +16,30 @@ use std::cell::RefCell;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// The hierarchies of one scene, in each of its forms, and the stored reference motion, if any.
+/// The hierarchies of models of a scene, one for each form, and the stored reference motion, if any.
 pub struct Forms {
     pub ladders: Vec<Hierarchy>,
     pub kept: Option<Stored>,
-    /// The first run of the scene's own model, once it was made.
+    /// The first run of the scene's own model, once made.
     pub(super) pilot: RefCell<Option<FirstRun>>,
 }
 
 impl Forms {
-    /// The forms of these hierarchies; that of the first form comes first.
+    /// The forms with these hierarchies; the first form comes first.
     pub fn of(ladders: Vec<Hierarchy>, kept: Option<Stored>) -> Self {
         Forms { ladders, kept, pilot: RefCell::new(None) }
     }
 }
 
-/// The name of a run of several models.
+/// The name of a run with several models.
 pub const SWITCHING: &str = "switching";
 const AXES: [Axes; 2] = [Axes::First, Axes::Second];
-/// The text in place of an estimate, for a model whose error is measured by its run.
+/// The text instead of an estimate, for a model whose error is measured by its run.
 pub(super) const BY_ITS_RUN: &str = "known only from its run";
-/// A smaller model for less than this share of the run is not worth switching to.
+/// A reduced model is not worth switching to for less than this fraction of the run.
 const WORTH_WHILE: f64 = 0.1;
-/// A smaller model whose run over the whole span takes more than this share of the richer model's work is not worth switching to.
+/// A reduced model is not worth switching to if its run over the whole span takes more than this fraction of the full
+/// model's work.
 const CHEAPER: f64 = 0.7;
 
 impl Models for Forms {
@@ -105,14 +106,15 @@ impl Models for Forms {
         Some(kept.reference.times.iter().zip(&kept.reference.states).map(row).collect())
     }
 
-    /// A switching run: the reduced model that suffices on the largest part of the run, with the richer one on the rest.
-    /// `None` where a smaller model suffices for the whole run: the models below it are hardly smaller.
+    /// A switching run: the reduced model that suffices on the largest part of the run, and the full model elsewhere.
+    /// `None` where a reduced model suffices for the whole run: models below it are hardly smaller.
     fn mixed(&self, watched: &Watched, lines: &[Line], tried: &[Trial], wish: &Wish) -> Option<Mixed<'_>> {
         let ladder = &self.ladders[0];
         // the reduced models are derived from the law with lumped windings, if there is one, else from the scene's own
+        // law
         let rich = usize::from(ladder.lumping.is_some());
         let plan = Plan { axes: Axes::First, ..tried.iter().find(|trial| trial.line == rich)?.plan.clone() };
-        // no switching with a stiff law; and finding the intervals costs more than a short run
+        // switching is not used for a stiff law; and finding the intervals costs more than a short run
         let whole = |line: &Line| line.verdict == Sufficiency::Suffices && matches!(line.loss, Loss::Small { .. });
         let short = plan.foretold < LOOKING as f64;
         if wish.allowed.is_zero() || short || plan.method.traits().implicit || lines.iter().any(whole) {
@@ -153,8 +155,8 @@ impl Models for Forms {
     }
 }
 
-/// Whether a model is so much cheaper than the richer one that running it on a part can pay. The work is evaluations times
-/// states of a run over the whole span, by a method that needs no recording.
+/// Whether a model is so much cheaper than the full one that running it on a part can pay. Work is evaluations times
+/// states of a run over the whole span, by a method without series.
 fn cheaper(ladder: &Hierarchy, line: usize, rich: usize) -> bool {
     let work = |line: usize| {
         let states = line.checked_sub(1).map_or(ladder.own.state.len(), |reduced| ladder.models[reduced].start.len());

@@ -1,11 +1,11 @@
 //! Transition matrices along a run whose states and rates are known at points: they weight local errors.
 //!
-//! By Magnus' expansion to fourth order, with the Jacobians J1, J2 at the two points of Gauss,
+//! By Magnus' expansion to fourth order, with the Jacobians J1, J2 at the two Gauss points,
 //!
 //!   P = exp(h/2 (J1 + J2) + sqrt(3) h^2/12 (J2 J1 - J1 J2)) ,
 //!
-//! with the states at these points from the cubic through both ends. An accuracy of 1/100 suffices for a weight, and a Taylor
-//! series with all directions costs a hundred times as much.
+//! where the states at these points come from the cubic through both ends. An accuracy of 1/100 suffices for weights; a
+//! Taylor series with all directions would cost a hundred times as much.
 
 use integrators::Jacobian;
 use nalgebra::DMatrix;
@@ -13,7 +13,7 @@ use nalgebra::DMatrix;
 /// A point of a run: time, state and rates.
 pub type Knot = (f64, Vec<f64>, Vec<f64>);
 
-/// The greatest h times the norm of J of a step, and the greatest number of steps of an interval.
+/// The largest product of h and the norm of J of a step, and the largest number of steps of an interval.
 const SHORT: f64 = 8.0;
 const MOST: f64 = 16.0;
 
@@ -44,8 +44,8 @@ fn over([a, b]: &[DMatrix<f64>; 2], h: f64) -> DMatrix<f64> {
     exponential(&((a + b) * (0.5 * h) + (b * a - a * b) * (3.0_f64.sqrt() * h * h / 12.0)))
 }
 
-/// exp(X) by the Pade approximant of order 6, (120 + 12 X^2 + X (60 + X^2)) / (120 + 12 X^2 - X (60 + X^2)): it takes one linear
-/// solution, and fast decaying parts stay small. Infinite where the solution fails.
+/// exp(X) by the Pade approximant of order 6, (120 + 12 X^2 + X (60 + X^2)) / (120 + 12 X^2 - X (60 + X^2)), which
+/// needs one linear solution and keeps rapidly decaying parts small. Infinite where the solution fails.
 fn exponential(x: &DMatrix<f64>) -> DMatrix<f64> {
     let unit = DMatrix::identity(x.nrows(), x.ncols());
     let square = x * x;
@@ -54,7 +54,7 @@ fn exponential(x: &DMatrix<f64>) -> DMatrix<f64> {
     (&even - &odd).lu().solve(&(even + odd)).unwrap_or_else(|| unit * f64::INFINITY)
 }
 
-/// The cubic through states and rates at both ends.
+/// The cubic Hermite interpolant through states and rates at both ends, at the fraction s.
 pub(super) fn cubic((from, y0, f0): &Knot, (to, y1, f1): &Knot, s: f64) -> Vec<f64> {
     let h = to - from;
     let (a, b) = ((1.0 + 2.0 * s) * (1.0 - s) * (1.0 - s), s * (1.0 - s) * (1.0 - s) * h);

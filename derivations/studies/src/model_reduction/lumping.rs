@@ -1,7 +1,8 @@
-//! Exact lumping of windings with linearly dependent fluxes, found from the machine's own laws.
+//! Exact lumping of windings with linearly dependent fluxes, found from the machine's laws.
 //!
-//! Windings with one ratio r = R_k/L_k act on the rotor through sum_k psi_k'(g) i_k alone. Let fluxes chi_j among theirs
-//! span all of them, psi_k' = sum_j B_kj chi_j'. The combinations u = B^T i obey closed equations,
+//! Windings with a common ratio r = R_k/L_k act on the rotor only through sum_k psi_k'(g) i_k. Let the fluxes chi_j,
+//! chosen among theirs, span all of them: psi_k' = sum_j B_kj chi_j'. The combinations u = B^T i satisfy closed
+//! equations,
 //!
 //!   u' = -r u - G chi' g' ,    G = B^T diag(1/L) B ,
 //!
@@ -16,18 +17,19 @@ use field::{Base, Circle, Over, Rational, Scalar};
 use motor::{Machine, RotorState, is_fed, torque_and_current_rates};
 use symbolic::{Hypotheses, Sym, decide};
 
-/// Harmonics of the fluxes that the sampled angles distinguish. With more harmonics the proof fails: a wrong model is impossible.
+/// The number of harmonics of the fluxes that the sampled angles distinguish. With more harmonics the proof fails, so
+/// that a wrong model is impossible.
 const HARMONICS: i64 = 4;
 
 /// The lumped windings of a machine, and the maps between its currents and theirs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lumping {
     pub windings: Vec<Lump>,
-    /// T of j = T i: a row for each lumped winding.
+    /// The matrix T of j = T i: a row for each lumped winding.
     pub down: Vec<Vec<Rational>>,
-    /// U of i = U j + decaying part: a row for each winding of the machine.
+    /// The matrix U of i = U j + a decaying part: a row for each winding of the machine.
     pub up: Vec<Vec<Rational>>,
-    /// r of each winding of the machine, 1/s.
+    /// The ratio r of each winding of the machine, 1/s.
     pub rates: Vec<Rational>,
 }
 
@@ -41,8 +43,8 @@ pub struct Lump {
 }
 
 impl Lumping {
-    /// The lumping of a machine with exact data; `None` where no winding is saved, where the data are not exact, where the
-    /// proof does not succeed, or where a supply or sliding conductors act on the windings.
+    /// The lumping of a machine with exact data; `None` where no winding is saved, the data are not exact, the proof
+    /// fails, or a supply or sliding conductors act on the windings.
     pub fn of(machine: &(impl Machine<Sym> + Clone)) -> Option<Self> {
         if is_fed(machine) {
             return None;
@@ -56,7 +58,7 @@ impl Lumping {
             return None;
         }
         let rates: Vec<Rational> = resistances.iter().zip(&inductances).map(|(&r, &l)| r / l).collect();
-        // values at enough angles determine the functions of the angle
+        // values at sufficiently many angles determine the functions of the angle
         let angle = |n: i64| Circle::from_half_tangent(Sym::constant(Rational::new(n, 3)));
         let slopes = |k: usize| -> Option<Vec<Rational>> {
             let values = (-HARMONICS..=HARMONICS).map(|n| machine.linkage(k, angle(n).moving(Sym::int(1))).slope);
@@ -107,7 +109,8 @@ impl Lumping {
         }
     }
 
-    /// Whether the torque is equal and the lumped currents obey their own equations, for all angles, slips, currents.
+    /// Whether the torque is equal and the lumped currents satisfy their own equations, for all angles, slips and
+    /// currents.
     fn is_exact(&self, machine: &(impl Machine<Sym> + Clone)) -> bool {
         let lumped = Lumped { machine: machine.clone(), windings: self.over(Sym::constant) };
         let angle = Circle { cos: Sym::symbol("c"), sin: Sym::symbol("s") };
@@ -128,7 +131,7 @@ impl Lumping {
         equal(torque, same) && down(&rates).iter().zip(&lumped_rates).all(|(&a, &b)| equal(a, b))
     }
 
-    /// The windings with their data in another field.
+    /// The windings with their data in another scalar type.
     pub fn over<P: Copy>(&self, number: impl Fn(Rational) -> P) -> Vec<Winding<P>> {
         let winding = |lump: &Lump| Winding {
             inductance: number(lump.inductance),
@@ -138,13 +141,13 @@ impl Lumping {
         self.windings.iter().map(winding).collect()
     }
 
-    /// j = T i.
+    /// The lumped currents j = T i.
     pub fn lumped(&self, currents: &[f64]) -> Vec<f64> {
         let sum = |row: &Vec<Rational>| row.iter().zip(currents).map(|(share, i)| share.to_f64() * i).sum();
         self.down.iter().map(sum).collect()
     }
 
-    /// The map from lumped currents to the machine's, for the machine's currents at time zero.
+    /// The map from lumped currents to the machine's, for given currents of the machine at time zero.
     pub fn recovery(&self, start: &[f64]) -> Recovery {
         let numbers = |row: &Vec<Rational>| row.iter().map(|share| share.to_f64()).collect();
         let up: Vec<Vec<f64>> = self.up.iter().map(numbers).collect();
@@ -159,12 +162,12 @@ impl Lumping {
 pub struct Recovery {
     up: Vec<Vec<f64>>,
     rest: Vec<f64>,
-    /// 1/s
+    /// The decay rates, 1/s.
     rates: Vec<f64>,
 }
 
 impl Recovery {
-    /// i at a time, from j at that time.
+    /// The currents i at a time, from j at that time.
     pub fn currents(&self, time: f64, lumped: &[f64]) -> impl Iterator<Item = f64> {
         let each = self.up.iter().zip(&self.rest).zip(&self.rates);
         each.map(move |((row, rest), rate)| match *rest {
@@ -185,7 +188,7 @@ pub struct Lumped<P, M> {
     pub windings: Vec<Winding<P>>,
 }
 
-/// A lumped winding with data in the machine's field.
+/// A lumped winding with data in the machine's scalar type.
 #[derive(Clone, Debug)]
 pub struct Winding<P> {
     inductance: P,
@@ -240,9 +243,10 @@ impl<P: Base, M: Machine<P>> Machine<P> for Lumped<P, M> {
     }
 }
 
-/// A bound on the error of the torque, N m, along a motion with slips of at most `slip`, rad/s, where windings of nearly one ratio are
-/// lumped at the ratio r: |i_k - i_k at r| <= |1/r_k - 1/r| max|psi_k'| max|g'| / L_k, because exp(-r_k t) - exp(-r t) has
-/// one sign, and each acts with psi_k'. The currents start at zero. `steepest` is max |psi_k'|.
+/// A bound of the error of the torque, N m, along a motion with slips of at most `slip` (rad/s), where windings of
+/// nearly equal ratios are lumped at the ratio r: |i_k - i_k at r| <= |1/r_k - 1/r| max|psi_k'| max|g'| / L_k, because
+/// exp(-r_k t) - exp(-r t) has one sign, and each current acts with psi_k'. The currents start at zero. `steepest` is
+/// max |psi_k'|.
 pub fn merged_at_most(windings: &[(f64, f64, f64)], rate: f64, slip: f64) -> f64 {
     let off = |&(inductance, resistance, steepest): &(f64, f64, f64)| {
         (inductance / resistance - 1.0 / rate).abs() * steepest * steepest * slip / inductance

@@ -1,7 +1,9 @@
-//! Model reduction: a hierarchy of smaller models under a scene's own, their errors, and the choice of the cheapest sufficient one.
+//! Model reduction: a hierarchy of reduced models of a scene, their errors, and the choice of the cheapest sufficient
+//! one.
 //!
 //! # Overview
-//! * [`reduced_model`]: a smaller model within a richer one, as a lift and a law; its defect, which vanishes for an exact one;
+//! * [`reduced_model`]: a reduced model of a full one, as a lift and a law; its defect, which vanishes for an exact
+//!   reduction;
 //! * [`lumping`]: exact lumping of windings, found and proved from the machine's laws; [`elimination`]: its linear algebra;
 //! * [`currents`]: quasi-steady values of currents, `quasi_steady` the models with them; `steady_currents`: the model of windings
 //!   with a supply; `smaller_machines`: smaller motor models of the scene's data;
@@ -15,8 +17,8 @@
 //!   for a law; `trial`: its run with an error, `comparison`: smaller models against that; [`choose`](mod@choose): the cheapest of
 //!   any [`choose::Models`], such as those of [`forms`], with its [`receipt`]; [`ReducedScene`]: a scene run by one of them.
 //!
-//! A reduction with a vanishing defect is exact, which is decided over expressions. For every other the error is
-//! estimated to first order, with the second order beside it. Neither is a bound; [`lumping::merged_at_most`] is one.
+//! A reduction with a vanishing defect is exact; this is decided symbolically. For all others the error is estimated to
+//! first order, together with the second order. Neither is a bound; [`lumping::merged_at_most`] is one.
 
 pub mod choose;
 mod comparison;
@@ -66,30 +68,30 @@ use std::sync::Arc;
 pub enum Loss {
     /// The scene's own model.
     Own,
-    /// Exact: proved here for these data, and for all data by this claim of the ledger, if there is one.
+    /// Exact: proved for these data, and for all data by this claim of the ledger, if there is one.
     Nothing { claim: Option<&'static str> },
     /// Approximate: the error is small where this parameter is.
     Small { parameter: &'static str },
 }
 
-/// A model under the scene's own.
+/// A reduced model of a scene.
 pub struct ReducedModel {
     pub name: &'static str,
-    /// The parts that are left out, in words, against the model above.
+    /// The neglected parts, in words, compared with the model above.
     pub dropped: String,
     pub loss: Loss,
     pub lower: Lower,
     pub law: Arc<dyn Law>,
     pub start: Vec<f64>,
-    /// The outputs that a run of the scene with the machine of this name shows with their meaning here; empty for a model that is
-    /// no machine, whose run shows all.
+    /// The outputs that a run of the scene with the machine of this name shows with equal meaning; empty for a model
+    /// that is no machine, whose run shows all.
     pub shows: Vec<String>,
-    /// The value of the small parameter at a state with its rates, where it is defined.
+    /// The value of the small parameter at a state with its rates, where defined.
     pub small: Option<Box<Small>>,
     lift: Program,
 }
 
-/// A value at (z, z').
+/// A value as a function of (z, z').
 pub type Small = dyn Fn(&[f64], &[f64]) -> Option<f64> + Send + Sync;
 /// The map from time and a state of the law from which the reduced models are derived to the scene's own state.
 pub type Whole = dyn Fn(f64, &[f64]) -> Vec<f64> + Send + Sync;
@@ -129,10 +131,10 @@ impl ReducedModel {
         })
     }
 
-    /// The state of the richer law: Y(t, z).
+    /// The state of the full law: Y(t, z).
     pub fn lifted(&self, time: f64, z: &[f64], states: usize) -> Vec<f64> {
         let mut y = vec![f64::NAN; states];
-        // a recorded program runs; states that it does not write stay NaN
+        // states that the program does not write stay NaN
         let _ = self.lift.run(time, z, &mut y);
         y
     }
@@ -149,7 +151,7 @@ impl ReducedModel {
 }
 
 impl Hierarchy {
-    /// The reason for which the scene's law does not hold at a state of `written`, if it does not.
+    /// The reason why the scene's law is invalid at a state of `written`, if it is.
     pub fn left(&self, time: f64, state: &[f64]) -> Option<&'static str> {
         self.own.outside(time, &(self.whole)(time, state))
     }
@@ -159,7 +161,7 @@ impl Hierarchy {
         (self.own.row)(time, &(self.whole)(time, state))
     }
 
-    /// The reduced models as configurations for a work-precision study, each with a law of its own.
+    /// The reduced models as configurations for a work-precision study, each with its own law.
     pub fn ways(self: &Arc<Self>, formulation: Formulation) -> Vec<Configuration> {
         let way = |(at, reduced): (usize, &ReducedModel)| {
             let ladder = Arc::clone(self);

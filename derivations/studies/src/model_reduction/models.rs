@@ -1,4 +1,4 @@
-//! The hierarchy of a text model, with events or without.
+//! The hierarchy of models of a text model, with or without events.
 
 use super::outputs::{Watched, largest};
 use super::plan::Runnable;
@@ -10,7 +10,7 @@ use simulation::models::Modelled;
 use simulation::{Axes, Problem};
 use std::sync::Arc;
 
-/// Smaller models of systems that files name by `known_as`, for the parameter values of a file.
+/// Reduced models of systems that files name by `known_as`, for the parameter values of a file.
 pub struct Reductions {
     /// The name, as in [`simulation::knowledge::Knowledge`].
     pub name: &'static str,
@@ -19,7 +19,7 @@ pub struct Reductions {
 
 inventory::collect!(Reductions);
 
-/// The reason for which a run that an event ends early cannot be compared: instants have no rows.
+/// The reason why a run that an event ends early cannot be compared: later output times have no rows.
 const ENDS: &str = "an event ends the run before its span";
 
 impl Hierarchy {
@@ -40,7 +40,7 @@ impl Hierarchy {
         }
     }
 
-    /// [`Hierarchy::watched`] of a problem with events.
+    /// As [`Hierarchy::watched`], for a problem with events.
     pub(super) fn watched_across_events(&self, names: &[String]) -> Result<(Watched, u64), Failure> {
         let (own, mut record) = (&self.own, Record::new());
         let outputs: Vec<f64> = looks(own.span).collect();
@@ -60,7 +60,7 @@ impl Hierarchy {
     }
 }
 
-/// A problem with its events, to be run by a choice.
+/// A problem with events, in a form that a choice can run.
 pub(super) fn across_events(axes: Axes, own: &Problem) -> Runnable<'_> {
     Runnable::new(axes, own.span, |method, tolerance, most, times, serves| {
         let span = Span::new(0.0, own.span, &own.state).with_outputs(times).with_evaluations(most);

@@ -1,5 +1,5 @@
-//! The hierarchy of a scene with a motor: its own model, lumped windings, currents at quasi-steady values or zero, and
-//! smaller motor models that the scene's data can make.
+//! The hierarchy of models of a scene with a motor: its own model, lumped windings, currents at quasi-steady values or
+//! zero, and smaller motor models with the scene's data.
 
 use super::lumping::{Lumped, Lumping};
 use super::reduced_model::Lower;
@@ -15,7 +15,7 @@ use systems::gyrostat::driven::Driven;
 const CLOSURE: &str = "konosevich2022/beyond-damper/closure";
 
 impl Hierarchy {
-    /// The hierarchy of a scene in the axes of a form.
+    /// The hierarchy of models of a scene in the axes of a form.
     pub fn of_scene(scene: &Scene, axes: Axes) -> Self {
         let own = scene.problem(axes);
         let Within { written, start, whole, lumping, models } = Within::of(scene, axes, &own.state);

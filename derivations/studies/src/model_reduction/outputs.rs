@@ -5,37 +5,37 @@ use super::plan::is_stiff_at;
 use super::sampled_run::{COARSE, followed_while, looks};
 use integrators::{Failure, Tolerance};
 
-/// The outputs of interest, with the sizes relative to which errors are measured.
+/// The outputs of interest, with their sizes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Watched {
     pub names: Vec<String>,
-    /// Places of the outputs in the rows of the scene's own problem.
+    /// The indices of the outputs in the rows of the scene's own problem.
     pub columns: Vec<usize>,
     pub sizes: Vec<f64>,
-    /// Sizes of the states of the law from which models are derived.
+    /// The sizes of the states of the law from which models are derived.
     pub states: Vec<f64>,
     /// Whether that law is stiff; its error equations then are too.
     pub stiff: bool,
-    /// The reason for which the run of the scene's own model left its law, if it did.
+    /// The reason why the run of the scene's own model left its law, if it did.
     pub left: Option<&'static str>,
-    /// An output without value at a time of the run, with that time, s.
+    /// An output that is undefined at a time of the run, with that time, s.
     pub without_value: Option<(String, f64)>,
 }
 
 /// Outputs below this count as zero, and have the size one.
 const ROUNDING: f64 = 1e-12;
 
-/// The largest absolute value, 1 where all vanish up to rounding.
+/// The largest absolute value; 1 where all vanish within rounding.
 pub(super) fn largest(values: impl Iterator<Item = f64>) -> f64 {
     let size = values.map(f64::abs).fold(0.0, f64::max);
     if size > ROUNDING { size } else { 1.0 }
 }
 
 impl Hierarchy {
-    /// The outputs of these names with sizes by a coarse run, and its evaluations.
+    /// The outputs with these names, with sizes from a coarse run; and the number of its evaluations.
     ///
     /// # Errors
-    /// The failure of the run.
+    /// [`Failure`] of the run.
     pub fn watched(&self, names: &[String]) -> Result<(Watched, u64), Failure> {
         if self.own.switching.is_some() {
             return self.watched_across_events(names);
@@ -47,7 +47,7 @@ impl Hierarchy {
         let mut seen = vec![(0.0, start.clone())];
         let mut left = None;
         let mut keep = |time: f64, state: &[f64]| {
-            // the implicit method starts from the beginning
+            // the implicit method starts again from the beginning
             if seen.last().is_some_and(|(last, _)| time < *last) {
                 seen.truncate(1);
             }
@@ -63,7 +63,7 @@ impl Hierarchy {
 }
 
 impl Watched {
-    /// The outputs of these names with sizes by these rows; components of a vector have the size of the vector.
+    /// The outputs with these names, with sizes from these rows; components of a vector have the size of the vector.
     pub fn of(columns: &[String], names: &[String], rows: &[Vec<f64>], states: Vec<f64>) -> Self {
         let size = |column: usize| rows.iter().map(|row| row[column].abs()).fold(0.0, f64::max);
         let place = |name: &String| columns.iter().position(|known| known == name);
@@ -82,7 +82,7 @@ impl Watched {
     /// The largest difference of two rows, relative to the sizes.
     pub fn off(&self, one: &[f64], other: &[f64]) -> f64 {
         let each = self.columns.iter().zip(&self.sizes).map(|(&at, size)| (one[at] - other[at]).abs() / size);
-        // a value that is not a number is infinitely far
+        // NaN counts as an infinite difference
         each.map(|off| if off.is_nan() { f64::INFINITY } else { off }).fold(0.0, f64::max)
     }
 }

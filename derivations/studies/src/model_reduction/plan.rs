@@ -1,9 +1,11 @@
 //! The cheapest method, form and tolerance for a law and an allowed error, by two pilot runs.
 //!
-//! The first pilot is a run by an explicit method, or by an implicit one where the law is stiff at the start or the
-//! explicit one does not reach its end. The explicit method is Taylor's where the law has series: it takes the fewest evaluations on
-//! smooth problems that are not stiff; else it is a Runge-Kutta method. The second pilot has the tolerance that usually suffices. The
-//! error of the coarser pilot is its distance from the finer one; errors are assumed proportional to a power of the tolerance below
+//! The first pilot is a run by an explicit method, or by an implicit one if the law is stiff at the start or the
+//! explicit run does not reach its end. The explicit method is Taylor's if the law has Taylor series, since it takes
+//! the fewest evaluations on smooth nonstiff problems; otherwise a Runge-Kutta method. The second pilot has the
+//! tolerance that usually suffices. The error of the coarser pilot is its distance from the finer one. Errors are
+//! assumed to be proportional to a power of the tolerance below one, which gives the tolerance for the run; often that
+//! of a pilot suffices. All of these are estimates.
 //! one, which gives the tolerance for the run; often a pilot already has it. These are estimates.
 
 use super::outputs::Watched;
@@ -14,35 +16,36 @@ use nalgebra::Complex;
 use simulation::{Axes, Law};
 use std::sync::Arc;
 
-/// The explicit methods; the second is tried where the first refuses the law.
+/// The explicit methods; the second is used if the first rejects the law.
 const EXPLICIT: [Method; 2] = [Method::Taylor, Method::DormandPrince8];
 const IMPLICIT: Method = Method::RadauIIA { stages: 5 };
 /// The tolerance of the first pilot.
 pub(super) const COARSE: f64 = 1e-4;
 /// The loosest tolerance of the second pilot.
 const FINE: f64 = 1e-5;
-/// The tolerance that usually suffices for an error, as a share of it.
+/// The tolerance that usually suffices for an error, as a fraction of it.
 const USUAL: f64 = 0.1;
-/// The budgets of a first pilot, evaluations: both kinds of methods are tried with the first budget, then with the second. The
-/// first round costs little compared with a run beyond it.
+/// The budgets of a first pilot, in evaluations: both kinds of methods are tried with the first budget, then with the
+/// second. The first round costs little compared with a run beyond it.
 const ROUNDS: [u64; 2] = [20_000, 500_000];
 /// The last budget.
 pub(super) const LAST: u64 = ROUNDS[1];
-/// Evaluations that an explicit method needs at least for each time constant of the fastest transient.
+/// The number of evaluations that an explicit method needs at least for each time constant of the fastest transient.
 const STABLE: f64 = 2.0;
-/// Typical evaluations of an implicit method for a run of any stiffness.
+/// The typical number of evaluations of an implicit method, for a run of any stiffness.
 const STIFF: f64 = 1_000.0;
-/// A law is slower than another where its fastest rate is at most this share of the other's.
+/// A law is slower than another if its fastest rate is at most this fraction of the other's.
 pub(super) const SLOWER: f64 = 0.3;
-/// The error at a tolerance is assumed at most this factor times that at a coarser one times this power of their ratio.
+/// The error at a tolerance is assumed to be at most this factor times that at a coarser one times this power of their
+/// ratio.
 const SAFETY: f64 = 3.0;
 const POWER: f64 = 0.75;
-/// A run measures the error of another if its tolerance is at most this share of the other's.
+/// A run can measure the error of another if its tolerance is at most this fraction of the other's.
 const APART: f64 = 0.1;
-/// The factor by which an error may be larger between the instants at which runs are compared: for an explicit method, and for an
-/// implicit one, whose values between steps are of a lower order.
+/// The factor by which an error may be larger between the times of comparison: for an explicit method, and for an
+/// implicit one, whose values between steps are of lower order.
 const BETWEEN: [f64; 2] = [2.0, 5.0];
-/// A tolerance between those of the pilots is worth another run where it saves more than this share.
+/// A tolerance between those of the pilots is worth another run if it saves more than this fraction.
 const SAVED: f64 = 0.2;
 /// The finest tolerance in double precision.
 pub(super) const FINEST: f64 = 1e-13;
@@ -60,7 +63,8 @@ pub struct Runnable<'a> {
 }
 
 /// A run by a method, tolerance and budget of evaluations, with rows at its steps and at these times, the last of which
-/// is its end, as long as it is acceptable; and its evaluations. `None` where it does not reach its end.
+/// is its end, stopped when it becomes unacceptable; and the number of its evaluations. `None` where it does not reach
+/// its end.
 pub type Go<'a> = dyn Fn(Method, f64, u64, &[f64], &Serves<'_>) -> (Option<Run>, u64) + 'a;
 
 /// A method with its form and tolerance, and the predicted error and cost.
@@ -89,7 +93,7 @@ pub struct Pilot {
 }
 
 impl Plan {
-    /// The pilot run with a tolerance, if there is one.
+    /// The pilot run with this tolerance, if there is one.
     pub fn known(&self, tolerance: f64) -> Option<&Run> {
         let same = |pilot: &&Pilot| (tolerance / pilot.tolerance - 1.0).abs() < 1e-9;
         self.pilots.iter().find(same).map(|pilot| &pilot.run)
@@ -101,12 +105,12 @@ impl Plan {
     }
 }
 
-/// The largest error of a whole run over that at the instants of comparison.
+/// The largest error of a whole run divided by that at the times of comparison.
 pub(super) fn between(method: Method) -> f64 {
     BETWEEN[usize::from(method.traits().implicit)]
 }
 
-/// The predicted error at a share of a tolerance whose error is known.
+/// The predicted error at a fraction of a tolerance whose error is known.
 pub(super) fn error_at(known: f64, share: f64) -> f64 {
     if share < 1.0 { (SAFETY * known * share.powf(POWER)).min(known) } else { known }
 }
@@ -121,7 +125,8 @@ impl<'a> Runnable<'a> {
         Runnable { axes, span, go: Box::new(go), known: None }
     }
 
-    /// A model by its law, initial state and span, with the map from states to rows and a test whether a state is outside of the law.
+    /// A model by its law, initial state and span, with the map from states to rows and a test of states outside the
+    /// law.
     pub fn of_law(
         axes: Axes,
         law: Arc<dyn Law>,
@@ -144,7 +149,7 @@ impl<'a> Runnable<'a> {
         self.known = Some((method, tolerance, run));
     }
 
-    /// A run with rows at its steps and at these times or, without times, at even instants.
+    /// A run with rows at its steps and at these times or, without times, at equidistant times.
     pub fn run(&self, method: Method, tolerance: f64, most: u64, times: Option<&[f64]>) -> (Option<Run>, u64) {
         if let (Some((by, at, run)), None) = (&self.known, times)
             && (*by, *at) == (method, tolerance)
@@ -157,7 +162,7 @@ impl<'a> Runnable<'a> {
         (self.go)(method, tolerance, most, &times, &|_, _| true)
     }
 
-    /// A run with rows at these times, as long as it is acceptable.
+    /// A run with rows at these times, stopped when it becomes unacceptable.
     pub fn run_while(
         &self,
         (method, tolerance, most): (Method, f64, u64),
@@ -202,7 +207,7 @@ impl<'a> Runnable<'a> {
                 let between = two_digits(served).max(FINEST);
                 if foretold(between) < (1.0 - SAVED) * fine.evaluations as f64 { between } else { finer }
             }
-            // a run with nearly the tolerance of the finer pilot would share its errors, and not measure them
+            // a run with nearly the tolerance of the finer pilot would have correlated errors
             served => two_digits(served.min(APART * finer).max(FINEST)).max(FINEST),
         };
         let foretold = foretold(tolerance);
@@ -232,7 +237,7 @@ pub(super) fn by_kind<T>(implicit: bool, mut run: impl FnMut(Method) -> (Option<
         if let Some(found) = found {
             return Some((method, found));
         }
-        // only a method that refuses the law is followed by another
+        // another method follows only one that rejects the law
         if evaluations > 0 {
             break;
         }
@@ -240,7 +245,7 @@ pub(super) fn by_kind<T>(implicit: bool, mut run: impl FnMut(Method) -> (Option<
     None
 }
 
-/// Whether an implicit method is tried first: transients at the start decay so fast that explicit steps would be short.
+/// Whether an implicit method is tried first: initial transients decay so rapidly that explicit steps would be short.
 pub(super) fn is_stiff_at(law: &dyn Law, start: &[f64], span: f64) -> bool {
     let fastest = eigenvalues_at(law, start).iter().map(|value| -value.re).fold(0.0, f64::max);
     STABLE * fastest * span > STIFF
@@ -265,7 +270,7 @@ pub fn plan(forms: &[Runnable<'_>], watched: &Watched, error: f64) -> Option<Pla
     let mut is_stiff = watched.stiff;
     let mut coarse: Vec<(&Runnable<'_>, Method, Run)> = Vec::new();
     for form in forms {
-        // a form that takes more than the best so far is not run to its end
+        // a form that takes more than the best one so far is not run to its end
         let most = coarse.iter().map(|(.., run)| run.evaluations).min();
         let Some((method, run)) = form.first(is_stiff, most, &mut spent) else { continue };
         // the kind of method that is best in one form is best in the others
@@ -277,7 +282,7 @@ pub fn plan(forms: &[Runnable<'_>], watched: &Watched, error: f64) -> Option<Pla
     found.map(|plan| Plan { spent, ..plan })
 }
 
-/// A positive number rounded down to two digits: the printed tolerance is then the one that was run.
+/// A positive number rounded down to two digits, so that the printed tolerance is that of the run.
 fn two_digits(value: f64) -> f64 {
     let power = value.log10().floor();
     let digits = (value / 10_f64.powf(power) * 10.0 * (1.0 + 1e-9)).floor();

@@ -1,4 +1,4 @@
-//! Reduced models with quasi-steady currents: the richer law with algebraic values in their place.
+//! Reduced models with quasi-steady currents: the full law with algebraic values in place of their equations.
 
 use super::currents::Current;
 use super::reduced_model::{Fill, Lower};
@@ -8,7 +8,7 @@ use motor::{Machine, RotorState, is_fed};
 use simulation::SymbolicLaw;
 use std::sync::Arc;
 
-/// The reduced models, those that replace only the fastest windings first.
+/// The reduced models, beginning with those that replace only the fastest windings.
 pub(super) fn models<M>(machine: &M, written: &Arc<dyn SymbolicLaw>, start: &[f64]) -> Vec<ReducedModel>
 where
     M: Machine<f64> + Clone + Send + Sync + 'static,
@@ -23,7 +23,7 @@ where
     let time_constant = |k: usize| machine.inductance(k) / machine.resistance(k);
     let mut order: Vec<usize> = (0..windings).collect();
     order.sort_by(|&a, &b| time_constant(a).total_cmp(&time_constant(b)));
-    // windings with one time constant up to rounding form one class
+    // windings with equal time constants, within rounding, form one class
     let ends = (1..=windings)
         .filter(|&end| end == windings || time_constant(order[end]) > (1.0 + 1e-9) * time_constant(order[end - 1]));
     let mut models = Vec::new();
@@ -42,7 +42,7 @@ where
     models
 }
 
-/// The reduced model on which these windings have currents of one kind.
+/// The reduced model in which these windings have quasi-steady currents of one kind.
 fn without<M>(
     machine: &M,
     written: &Arc<dyn SymbolicLaw>,
@@ -78,7 +78,7 @@ where
 /// Quasi-steady currents as functions of angle and slip.
 struct Slaved<M> {
     machine: M,
-    /// The places where the rotor's state and the currents begin.
+    /// The indices where the rotor's state and the currents begin.
     rotor: usize,
     currents: usize,
     slaved: Vec<usize>,

@@ -1,4 +1,4 @@
-//! The record of a choice: the request, the models with their verdicts, and the model taken.
+//! The record of a choice: the request, the models with their verdicts, and the selected model.
 
 use super::Loss;
 use super::estimate::Estimate;
@@ -13,15 +13,15 @@ pub struct Wish {
     /// The largest allowed error, relative to the size of each output.
     pub tolerance: f64,
     pub outputs: Vec<String>,
-    /// The time allowed for measuring times, and before that for the search of a switching run; zero for neither.
+    /// The time limit for timings, and before that for the search of a switching run; zero for neither.
     pub allowed: Duration,
 }
 
 /// The model's share of the tolerance; the method has the rest.
 pub const OF_MODEL: f64 = 0.5;
-/// An estimate is believed only if its second order is below this share of the first.
+/// An estimate is credible only if its second order is below this fraction of the first.
 const BELIEVED: f64 = 0.5;
-/// Errors below this share of the allowed one are accepted without that test.
+/// Errors below this fraction of the allowed one are accepted without that test.
 const MINUTE: f64 = 1e-3;
 
 /// A model in the record, with its verdict and best run.
@@ -31,11 +31,11 @@ pub struct Line {
     pub dropped: String,
     pub loss: Loss,
     pub states: usize,
-    /// The error estimate of the model, or the reason for which there is none.
+    /// The error estimate of the model, or the reason why there is none.
     pub model: Result<Estimate, String>,
-    /// The name by which a run takes the model; `None` where no run takes it by name.
+    /// The name by which a run selects the model; `None` where this is impossible.
     pub asked_as: Option<String>,
-    /// Whether the model suffices, or the reason against it.
+    /// Whether the model suffices, or the reason why not.
     pub verdict: Sufficiency,
     /// The best run of the model.
     pub choice: Option<Choice>,
@@ -69,7 +69,7 @@ pub enum Sufficiency {
     Suffices,
     /// The error estimate exceeds the allowed error.
     TooFar,
-    /// The second order is not small: the estimate is not believed.
+    /// The second order is not small: the estimate is not credible.
     NotBelieved,
     /// The run of the error equation did not reach the end.
     NotCarried,
@@ -100,12 +100,12 @@ pub struct Choice {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Work {
     pub evaluations: u64,
-    /// Code size of the law, bytes, where it is known: a measure of the cost of an evaluation.
+    /// The code size of the law in bytes, if known: a measure of the cost of an evaluation.
     pub code: Option<usize>,
 }
 
 impl Work {
-    /// The ratio to another work: evaluations times code size where both are known, else evaluations.
+    /// The ratio to another work: evaluations times code size if both are known, else evaluations.
     pub fn over(self, other: Work) -> f64 {
         let evaluations = self.evaluations as f64 / other.evaluations as f64;
         match (self.code, other.code) {
@@ -120,41 +120,41 @@ impl Work {
 pub struct Receipt {
     pub watched: Watched,
     pub tolerance: f64,
-    /// The models, from the scene's own down.
+    /// The models, beginning with the scene's own.
     pub lines: Vec<Line>,
-    /// The line that was taken, of those that a run takes by name; `None` where none suffices.
+    /// The selected line, among those that a run can select by name; `None` where none suffices.
     pub taken: Option<usize>,
-    /// Evaluations of all pilots, estimates and runs, without the transition matrices of a schedule.
+    /// The number of evaluations of all pilots, estimates and runs, without the transition matrices of a schedule.
     pub deciding: u64,
     /// Names of the outputs in a row.
     pub columns: Vec<String>,
 }
 
 impl Receipt {
-    /// The cheapest line of all, including those that no run takes by name.
+    /// The cheapest line of all, including those that a run cannot select by name.
     pub fn cheapest(&self) -> Option<usize> {
         cheapest(&self.lines, |_| true)
     }
 
-    /// The work of the scene's own model by its best method over that of a line.
+    /// The work of the scene's own model with its best method divided by that of a line.
     pub fn saved(&self, line: usize) -> Option<f64> {
         let work = |line: &Line| line.choice.as_ref().map(|choice| choice.work);
         Some(work(self.lines.first()?)?.over(work(self.lines.get(line)?)?))
     }
 
-    /// The cost of deciding, in runs of the scene's own model.
+    /// The cost of the decision, in runs of the scene's own model.
     pub fn worth(&self) -> Option<f64> {
         Some(self.deciding as f64 / self.lines.first()?.choice.as_ref()?.work.evaluations as f64)
     }
 
-    /// The number of runs after which deciding has paid; `None` where nothing is saved.
+    /// The number of runs after which the decision has paid; `None` where nothing is saved.
     pub fn pays_from(&self) -> Option<u64> {
         let saved = 1.0 - 1.0 / self.saved(self.taken?)?;
         (saved > 0.0).then_some((self.worth()? / saved).ceil() as u64)
     }
 }
 
-/// The line with the least work; among equals the one with fewer states, then the one further down.
+/// The line with the least work; of equal ones that with fewer states, then the later one.
 pub(super) fn cheapest(lines: &[Line], is: impl Fn(&Line) -> bool) -> Option<usize> {
     let serving = lines.iter().enumerate().rev().filter(|(_, line)| is(line));
     let mut serving = serving.filter_map(|(at, line)| Some((at, line.choice.as_ref()?.work, line.states)));

@@ -1,11 +1,11 @@
-//! A smaller model within a richer one: the states that it retains, and the expressions that replace the others.
+//! A reduced model of a full one: the states that it retains, and the expressions that replace the others.
 //!
-//! With y' = F(t, y) the richer law, a reduced model is a lift y = Y(t, z) and a law z' = f(t, z). Its defect is
+//! Let y' = F(t, y) be the full law. A reduced model is a lift y = Y(t, z) and a law z' = f(t, z). Its defect is
 //!
 //!   d = dY/dt + Y_z f - F(t, Y)
 //!
-//! the residual of the richer law along the lifted motion. If d vanishes identically, the reduction is exact. Most reduced models
-//! need no law of their own: f are the richer rates of the retained states, at the lifted state.
+//! the residual of the full law along the lifted motion. If d vanishes identically, the reduction is exact. Most
+//! reduced models need no law of their own: f consists of the full rates of the retained states at the lifted state.
 
 use field::{Analytic, Over};
 use integrators::Ode;
@@ -13,30 +13,30 @@ use simulation::{CompiledLaw, Law, SymbolicLaw};
 use std::sync::Arc;
 use symbolic::{Hypotheses, Sym, decide};
 
-/// A function of time and state, over expressions.
+/// A symbolic function of time and state.
 pub type Expressed = dyn Fn(Sym, &[Sym]) -> Vec<Sym> + Send + Sync;
 
-/// A lift with the law of the retained states.
+/// A lift, with the law of the retained states.
 #[derive(Clone)]
 pub struct Lower {
     /// The number of retained states.
     pub dimension: usize,
-    /// Y(t, z)
+    /// The lift Y(t, z).
     pub lift: Arc<Expressed>,
-    /// f(t, z)
+    /// The law f(t, z).
     pub rates: Arc<Expressed>,
-    /// The places of the retained states in the richer state, if they are some of its own.
+    /// The indices of the retained states in the full state, if they are states of the full law.
     pub kept: Option<Vec<usize>>,
 }
 
-/// Expressions over every field that replace the states which are not retained.
+/// Expressions, over every scalar type, that replace the states which are not retained.
 pub trait Fill: Send + Sync + 'static {
     /// Completes y, in which the retained states already have their values.
     fn fill<S: Over<f64> + Analytic>(&self, y: &mut [S]);
 }
 
 impl Lower {
-    /// A reduction to the states at these places under the richer law; `fill` completes the whole state.
+    /// A reduction to the states with these indices under the full law; `fill` completes the full state.
     pub fn keeping(written: &Arc<dyn SymbolicLaw>, kept: Vec<usize>, fill: impl Fill) -> Self {
         let n = written.dimension();
         let places = kept.clone();
@@ -84,7 +84,7 @@ impl Lower {
         Some(Arc::new(straight(self.dimension, Arc::clone(&self.rates))?))
     }
 
-    /// The defect d, component by component, over symbols for time and state.
+    /// The defect d, by component, as symbolic expressions of time and state.
     pub fn defect(&self, written: &dyn SymbolicLaw, time: Sym, z: &[Sym]) -> Vec<Sym> {
         let (y, f) = ((self.lift)(time, z), (self.rates)(time, z));
         let mut rates = vec![Sym::ZERO; y.len()];
@@ -93,7 +93,7 @@ impl Lower {
         y.iter().zip(rates).map(|(&y, rate)| along(y) - rate).collect()
     }
 
-    /// Whether the defect is proved to vanish identically: the reduction is then exact.
+    /// Whether the defect is proved to vanish identically, so that the reduction is exact.
     pub fn is_exact(&self, written: &dyn SymbolicLaw) -> bool {
         let (time, z) = (Sym::symbol("t"), symbols("z", self.dimension));
         let defect = self.defect(written, time, &z);
@@ -128,25 +128,25 @@ impl Ode<Sym> for Straight {
     }
 }
 
-/// A smaller model in numbers, to be compared with the motion of a richer one.
+/// A reduced model in numbers, to be compared with the motion of a full one.
 pub struct Lifted<'a> {
-    /// Y(t, z)
+    /// The lift Y(t, z).
     pub lift: &'a dyn Fn(f64, &[f64]) -> Vec<f64>,
-    /// z' = f(t, z)
+    /// The law z' = f(t, z).
     pub law: &'a dyn Law,
-    /// The places of the retained states in the richer state.
+    /// The indices of the retained states in the full state.
     pub kept: &'a [usize],
     pub start: &'a [f64],
 }
 
 impl Lifted<'_> {
-    /// y - Y(t, z)
+    /// The distance y - Y(t, z).
     pub fn above(&self, time: f64, y: &[f64], z: &[f64]) -> Vec<f64> {
         y.iter().zip((self.lift)(time, z)).map(|(y, lifted)| y - lifted).collect()
     }
 
-    /// The defect d with z the retained states of the richer motion. The lift is differentiated by differences over a short time `beside`
-    /// to both sides along the smaller motion.
+    /// The defect d, where z are the retained states of the full motion. The lift is differentiated by central
+    /// differences over a short time `beside` along the reduced motion.
     pub fn defect(&self, richer: &dyn Law, (time, beside): (f64, f64), y: &[f64]) -> Vec<f64> {
         let z: Vec<f64> = self.kept.iter().map(|&place| y[place]).collect();
         let (mut f, mut rates) = (vec![0.0; z.len()], vec![0.0; y.len()]);

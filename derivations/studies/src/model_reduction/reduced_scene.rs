@@ -1,4 +1,4 @@
-//! A scene run by one of the smaller models of its hierarchy.
+//! A scene run with one of the reduced models of its hierarchy.
 
 use super::Hierarchy;
 use integrators::Reference;
@@ -8,16 +8,16 @@ use simulation::{Axes, IvpScene, Problem, Run};
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// A scene with one of its smaller models, by its name.
+/// A scene with one of its reduced models.
 pub struct ReducedScene<'a> {
     scene: &'a dyn IvpScene,
-    /// The hierarchies in the axes of each form that the scene has, the first form first.
+    /// The hierarchies of models in the axes of each form of the scene, the first form first.
     ladders: Vec<Arc<Hierarchy>>,
     reduced: usize,
 }
 
 impl<'a> ReducedScene<'a> {
-    /// A scene run by the reduced model of this name.
+    /// A scene run with the reduced model of this name.
     ///
     /// # Errors
     /// The names of the known models.

@@ -1,7 +1,7 @@
-//! A run with rows of outputs at requested instants, and at the method's own steps.
+//! A run with rows of outputs at requested times, and at the method's steps.
 //!
 //! Two runs are compared at the steps of the coarser one, where the finer one is asked for rows. Nothing is
-//! interpolated, and a transient that the coarser run resolves between two instants is compared there.
+//! interpolated, and transients that the coarser run resolves are compared too.
 
 use super::outputs::Watched;
 use super::sampled_run::instants;
@@ -11,24 +11,24 @@ use std::cell::Cell;
 /// A time with the outputs there.
 pub type Row = (f64, Vec<f64>);
 
-/// Whether a run is still acceptable with this row at a requested time; otherwise it is ended there.
+/// Whether a run is still acceptable with this row at a requested time; otherwise it is stopped there.
 pub type Serves<'a> = dyn Fn(f64, &[f64]) -> bool + 'a;
 
-/// The greatest number of steps with rows: of longer runs every second step is kept, every fourth, ...
+/// The largest number of steps with rows: of longer runs every second step is kept, every fourth, ...
 const KEPT: usize = 256;
 
 /// A run of a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
-    /// Rows at the requested instants.
+    /// The rows at the requested times.
     pub asked: Vec<Row>,
-    /// Rows at the method's own steps.
+    /// The rows at the method's steps.
     pub steps: Vec<Row>,
     pub evaluations: u64,
 }
 
 impl Run {
-    /// The rows at the instants of references.
+    /// The rows at the output times of references.
     pub fn at_instants(&self, span: f64) -> Vec<Row> {
         let known = |(time, _): &&Row| instants(span).any(|instant| instant == *time);
         self.asked.iter().filter(known).cloned().collect()
@@ -40,7 +40,7 @@ impl Run {
     }
 
     /// The largest difference from a finer run, relative to the sizes; `None` where the finer run lacks a row at a time
-    /// at which this run has one.
+    /// of this run.
     pub fn apart(&self, finer: &Run, watched: &Watched) -> Option<f64> {
         let mut rest = finer.asked.iter();
         let off = |(time, row): &Row| {
@@ -69,7 +69,7 @@ impl Run {
     }
 }
 
-/// An observer that keeps the rows of a run, and ends it where it leaves its law or is not acceptable.
+/// An observer that stores the rows of a run, and stops it where it leaves its law or is not acceptable.
 pub struct Along<'a, F> {
     row: F,
     outside: &'a dyn Fn(f64, &[f64]) -> bool,
@@ -87,7 +87,7 @@ impl<'a, F: Fn(f64, &[f64]) -> Vec<f64>> Along<'a, F> {
         Self::within(row, &|_, _| false, &|_, _| true)
     }
 
-    /// An observer that also ends the run where `outside` holds or a requested row is not accepted by `serves`.
+    /// An observer that also stops the run where `outside` is true or a requested row is not accepted by `serves`.
     pub fn within(row: F, outside: &'a dyn Fn(f64, &[f64]) -> bool, serves: &'a Serves<'a>) -> Self {
         Along { row, outside, serves, left: false, asked: Vec::new(), steps: Vec::new(), stride: 1, seen: 0 }
     }

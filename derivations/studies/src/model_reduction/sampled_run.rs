@@ -1,24 +1,24 @@
-//! Runs sampled at the instants at which errors are measured, by an explicit or, for stiff laws, an implicit method.
+//! Runs sampled at the times at which errors are measured, by an explicit or, for stiff laws, an implicit method.
 
 use integrators::{Failure, Method, Observer, Record, Span, System, Tolerance, integrate};
 
-/// Output instants after the start: those of the references.
+/// The number of output times after the start, equal to that of references.
 pub const INSTANTS: usize = 8;
-/// Evaluations after which a run is given up: the law is stiff, or the motion too long.
+/// The largest number of evaluations of a run, which is not reached unless the law is stiff or the motion too long.
 const PATIENCE: u64 = 100_000;
-/// The relative tolerance of a run that gives sizes or pilots a choice.
+/// The relative tolerance of a run that determines sizes, or of a pilot run.
 pub const COARSE: f64 = 1e-5;
 
-/// Instants after the start at which an error is evaluated, besides every step of the run that propagates it. They include the
-/// instants of the references.
+/// The number of times after the start at which an error is evaluated, besides every step of the run that propagates
+/// it. They include the output times of references.
 pub const LOOKS: usize = 64;
 
-/// The output instants, s, of a run from time zero.
+/// The output times of a run from time zero, s.
 pub fn instants(span: f64) -> impl Iterator<Item = f64> {
     even(span, INSTANTS)
 }
 
-/// The instants, s, at which an error is evaluated.
+/// The times at which an error is evaluated, s.
 pub(super) fn looks(span: f64) -> impl Iterator<Item = f64> {
     even(span, LOOKS)
 }
@@ -27,10 +27,11 @@ fn even(span: f64, count: usize) -> impl Iterator<Item = f64> {
     (1..=count).map(move |k| span * (k as f64 / count as f64))
 }
 
-/// A run sampled at the instants, by an explicit method, or by an implicit one where the explicit one fails.
+/// A run sampled at the output times, by an explicit method, or by an implicit one if the explicit one fails. Returns
+/// also the number of evaluations.
 ///
 /// # Errors
-/// The failure of the implicit method.
+/// [`Failure`] of the implicit method.
 pub fn followed(
     law: &dyn System,
     tolerance: &Tolerance,
@@ -43,7 +44,7 @@ pub fn followed(
 /// A run from time zero sampled at these times, the last of which is the end.
 ///
 /// # Errors
-/// The failure of the implicit method.
+/// [`Failure`] of the implicit method.
 pub fn followed_at(
     law: &dyn System,
     tolerance: &Tolerance,
@@ -53,9 +54,9 @@ pub fn followed_at(
     followed_while(law, tolerance, 0.0, times, start, &mut false, &mut |_, _| true)
 }
 
-/// A run from a time to the last output, as long as `goes_on` holds; it is called at outputs and steps, and from the beginning
-/// anew when the implicit method starts.
-/// With `stiff` the explicit method is not tried; `stiff` is set when the implicit one succeeds.
+/// A run from a time to the last output, as long as `goes_on` returns true; it is called at outputs and steps, and
+/// again from the beginning when the implicit method starts. With `stiff` the explicit method is not tried; `stiff` is
+/// set when the implicit one succeeds.
 pub(super) fn followed_while(
     law: &dyn System,
     tolerance: &Tolerance,

@@ -1,12 +1,12 @@
-//! Quasi-steady values of fast states: their rates, linear in these states, are set to zero and solved.
+//! Quasi-steady values of fast states, from zero rates, which are linear in these states.
 
 use symbolic::linear::solve;
 use symbolic::{Hypotheses, Sym, substitute_all};
 
-/// The greatest number of operations in rates that are solved: the solution is substituted into every rate.
+/// The largest number of operations in rates that are solved: the solution is substituted into every rate.
 const MOST: usize = 4_000;
 
-/// Expressions for unknowns w with r(w) = 0; `None` where the rates r are not linear in w, or do not determine it.
+/// Expressions for unknowns w with r(w) = 0; `None` where the rates r are nonlinear in w, or do not determine it.
 pub(super) fn balanced(rates: &[Sym], unknowns: &[Sym]) -> Option<Vec<Sym>> {
     if Sym::operations_of(rates) > MOST {
         return None;

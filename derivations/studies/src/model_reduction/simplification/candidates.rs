@@ -1,13 +1,14 @@
 //! Candidate simplifications, found in the equations and along a coarse run.
 //!
 //! * A state on which neither an output nor a retained rate depends is unfollowed: exact.
-//! * States whose rates vanish at their initial values, whatever the others are, are fixed: exact.
-//! * States with equal initial values and with rates that are equal as long as the states are, are equal: exact.
-//! * A state that relaxes, or a coordinate that oscillates, many times faster than the run lasts is quasi-steady, the fastest first.
+//! * States whose rates vanish at their initial values, for any values of the others, are fixed: exact.
+//! * States with equal initial values and equal rates (as long as the states are equal) are equal: exact.
+//! * A state that relaxes, or a coordinate that oscillates, many times faster than the length of the run is
+//!   quasi-steady, the fastest first.
 //! * A state that hardly changes along the run is fixed.
-//! * A nonlinear law may be linearised where states are small.
+//! * A nonlinear law may be linearised if states are small.
 //!
-//! Whether an approximation suffices is decided later, by its error.
+//! The error of an approximation decides later whether it suffices.
 
 use super::Simplification;
 use field::Over;
@@ -15,30 +16,30 @@ use integrators::Jacobian;
 use simulation::{Law, SymbolicLaw, traced};
 use symbolic::{Hypotheses, Sym, decide, substitute_all};
 
-/// A transient is fast where the run lasts longer than this many of its time constants.
+/// A transient is fast if the run is longer than so many of its time constants.
 const FAST: f64 = 20.0;
-/// The greatest number of fast transients that are left out together.
+/// The largest number of fast transients that are neglected together.
 const MOST_FAST: usize = 6;
-/// A state hardly changes where its range is below this share of its size.
+/// A state hardly changes if its range is below this fraction of its size.
 const HARDLY: f64 = 1e-2;
-/// States along the run at which rates of transients are evaluated.
+/// The number of states along the run at which rates of transients are evaluated.
 const LOOKS: usize = 5;
-/// The greatest number of states of laws that are searched.
+/// The largest number of states of a law that is searched.
 const MOST: usize = 60;
-/// The greatest number of operations in all rates for which linearisation is a candidate.
+/// The largest number of operations in all rates for which linearisation is a candidate.
 const LINEARISED: usize = 2_000;
-/// The greatest number of operations of a rate for which vanishing is decided.
+/// The largest number of operations of a rate whose vanishing is decided.
 const DECIDED: usize = 2_000;
 
 /// A system with a coarse run.
 pub struct Facts<'a> {
     pub written: &'a dyn SymbolicLaw,
     pub law: &'a dyn Law,
-    /// Names of the states, in their order.
+    /// The names of the states, in order.
     pub names: &'a [String],
-    /// Times and states of the run.
+    /// Times (s) and states of the run.
     pub along: &'a [(f64, Vec<f64>)],
-    /// Whether an output depends on a state.
+    /// For each state, whether an output depends on it.
     pub shown: &'a [bool],
 }
 
@@ -46,9 +47,9 @@ pub struct Facts<'a> {
 struct Structure {
     /// Whether the rate i depends on the state j.
     depends: Vec<Vec<bool>>,
-    /// The speed of a coordinate: the state that is its rate.
+    /// For each coordinate its speed: the state that is its rate.
     speeds: Vec<Option<usize>>,
-    /// Whether rates are not linear in the states.
+    /// Whether the rates are nonlinear in the states.
     is_curved: bool,
 }
 
@@ -57,7 +58,7 @@ struct Structure {
 struct Transient {
     /// The state that may be quasi-steady.
     state: usize,
-    /// 1/s
+    /// The rate constant, 1/s.
     rate: f64,
 }
 
@@ -91,7 +92,7 @@ pub fn candidates(facts: &Facts<'_>) -> (Simplification, Vec<Candidate>) {
         ..Simplification::default()
     };
     let gone: Vec<usize> = unfollowed.iter().chain(&fixed).copied().chain(same.iter().map(|(one, _)| *one)).collect();
-    // a state to which another is equal is not balanced: it would be solved for twice
+    // a state to which another is equal is not quasi-steady: it would be solved for twice
     let kept: Vec<usize> = same.iter().map(|(_, other)| *other).collect();
     let mut fast = structure.transients(facts);
     fast.retain(|one| !gone.contains(&one.state) && !kept.contains(&one.state));
@@ -154,7 +155,7 @@ fn structure(written: &dyn SymbolicLaw) -> Structure {
 }
 
 impl Structure {
-    /// States on which no output depends, directly or through retained rates.
+    /// The states on which no output depends, directly or through retained rates.
     fn unfollowed(&self, shown: &[bool]) -> Vec<usize> {
         let mut needed = shown.to_vec();
         loop {
@@ -184,12 +185,12 @@ impl Structure {
                 matrix
             })
             .collect();
-        // the least restoring coefficient along the run
+        // the smallest restoring coefficient along the run
         let falls = |i: usize, j: usize| matrices.iter().map(|matrix| -matrix[i * n + j]).fold(f64::INFINITY, f64::min);
         let mut found = Vec::new();
         for state in 0..n {
             let Some(speed) = self.speeds[state] else {
-                // the speed of an oscillation is no transient of its own
+                // the speed of an oscillation is no separate transient
                 let swings = |coordinate: usize| {
                     falls(state, coordinate) > 0.0 && falls(state, state).powi(2) < 4.0 * falls(state, coordinate)
                 };
@@ -215,7 +216,7 @@ impl Facts<'_> {
         self.along.last().map_or(0.0, |(time, _)| *time)
     }
 
-    /// States that hardly change along the run, each with its range over its size.
+    /// The states that hardly change along the run, each with its range divided by its size.
     fn still(&self) -> Vec<(usize, f64)> {
         let range = |place: usize| {
             let values = || self.along.iter().map(|(_, state)| state[place]);
@@ -230,7 +231,7 @@ impl Facts<'_> {
     }
 }
 
-/// States that keep their initial values because their rates vanish there, whatever the others do.
+/// The states that keep their initial values because their rates vanish there for any values of the others.
 fn resting(facts: &Facts<'_>, unfollowed: &[usize]) -> Vec<usize> {
     let Some((_, start)) = facts.along.first() else { return Vec::new() };
     let stays = |place: &usize| facts.along.iter().all(|(_, state)| state[*place] == start[*place]);
@@ -257,7 +258,7 @@ fn resting(facts: &Facts<'_>, unfollowed: &[usize]) -> Vec<usize> {
     })
 }
 
-/// Pairs of equal states: they start equal, and their rates are equal as long as all pairs are.
+/// Pairs of equal states: their initial values are equal, and their rates are equal as long as all pairs are.
 fn alike(facts: &Facts<'_>, gone: &[usize]) -> Vec<(usize, usize)> {
     let n = facts.names.len();
     let same = |one: usize, other: usize| facts.along.iter().all(|(_, state)| state[one] == state[other]);

@@ -1,12 +1,12 @@
-//! The error of a smaller model to first order, along a run of the richer one.
+//! The first-order error of a reduced model along a run of the full one.
 //!
-//! With e = y - Y(z) the distance of the richer motion from the lifted smaller one, and d = dY/dt + Y_z f - F(Y) the defect
-//! (the residual of the smaller law) at the states along the richer run,
+//! Let e = y - Y(z) be the distance of the full motion from the lifted reduced one, and d = dY/dt + Y_z f - F(Y) the
+//! defect (the residual of the full law along the lifted motion) at the states along the full run. Then
 //!
 //!   e' = F_y e - d .
 //!
-//! Over a step h, with the Jacobian J in its middle, the new error is exp(h J) e - h phi_1(h J) d. All smaller models share these
-//! matrices; a step then costs each model two evaluations of its law and two of the richer law.
+//! Over a step h, with the Jacobian J at its midpoint, the new error is exp(h J) e - h phi_1(h J) d. All reduced models
+//! share these matrices; a step then costs each model two evaluations of its law and two of the full law.
 
 use crate::model_reduction::loss_weights::{Knot, cubic};
 use crate::model_reduction::reduced_model::Lifted;
@@ -14,26 +14,27 @@ use integrators::{Jacobian, Ode};
 use nalgebra::{DMatrix, DVector};
 use simulation::Law;
 
-/// The time over which a lift is differentiated, as a share of the step.
+/// The time over which a lift is differentiated, as a fraction of the step.
 const BESIDE: f64 = 1e-4;
-/// Steps of this propagation for one step of the run.
+/// The number of steps of this propagation for one step of the run.
 const FINER: usize = 1;
 
-/// The share of an interval over which a cubic is differentiated by differences.
+/// The fraction of an interval over which a cubic is differentiated numerically.
 const SLOPE: f64 = 1e-3;
-/// The estimate is believed if the defect changes by less than this share between the richer motion and the smaller one.
+/// The estimate is credible if the defect changes by less than this fraction between the full motion and the reduced
+/// one.
 const BELIEVED: f64 = 0.5;
-/// A run resolves a state where the cubic's rate is right to this share of the size.
+/// A run resolves a state if the cubic's rate is accurate to this fraction of the size.
 const MISSED: f64 = 0.1;
 
-/// A run of the richer law with the transition matrices of its steps.
+/// A run of the full law with the transition matrices of its steps.
 pub struct Weights {
-    /// The start, and the state there.
+    /// The initial time and state.
     start: (f64, Vec<f64>),
     steps: Vec<Step>,
 }
 
-/// The distance of the richer motion from the lifted smaller one at a time, with the state of the richer one.
+/// The distance of the full motion from the lifted reduced one at a time, with the full state.
 pub struct Distance<'a> {
     pub time: f64,
     pub state: &'a [f64],
@@ -41,19 +42,19 @@ pub struct Distance<'a> {
 }
 
 struct Step {
-    /// The length of the step, the time in its middle, and the state there.
+    /// The length of the step, and the time and state at its midpoint.
     middle: (f64, f64, Vec<f64>),
-    /// Time and state at the end of the step.
+    /// The time and state at the end of the step.
     end: (f64, Vec<f64>),
-    /// exp(h J)
+    /// The matrix exp(h J).
     whole: DMatrix<f64>,
-    /// h phi_1(h J)
+    /// The matrix h phi_1(h J).
     integral: DMatrix<f64>,
 }
 
 impl Weights {
-    /// The matrices along times and states of a run, the start first; `None` where a Jacobian has no value, or where the run has
-    /// too few points to be interpolated.
+    /// The matrices along times and states of a run, including the start; `None` where a Jacobian is undefined, or the
+    /// run has too few points for interpolation.
     pub fn along(law: &dyn Law, run: &[(f64, Vec<f64>)]) -> Option<Self> {
         let start = run.first()?.clone();
         let n = start.1.len();
@@ -100,18 +101,19 @@ impl Weights {
         Some(Weights { start, steps })
     }
 
-    /// The cost, in evaluations, of the matrices along a number of states and of the errors of a number of smaller models.
+    /// The cost, in evaluations, of the matrices along a number of states and of the errors of a number of reduced
+    /// models.
     pub fn cost(law: &dyn Law, states: usize, models: usize) -> u64 {
         let share = match (Jacobian::of(law).code_size(), law.code_size()) {
             (Some(own), Some(code)) if code > 0 => own as f64 / code as f64,
             _ => Ode::<f64>::dimension(law) as f64,
         };
-        // a step: its Jacobian, the rates in its middle and at its end; four evaluations for each model
+        // for each step: its Jacobian, the rates at its midpoint and end; four evaluations for each model
         ((share + 2.0 + 4.0 * models as f64) * (FINER * states) as f64) as u64
     }
 
-    /// e along the run; `None` where the defect has no value, or where it differs too much at the smaller motion y - e: the first
-    /// order is then meaningless.
+    /// The error e along the run; `None` where the defect is undefined, or differs too much at the reduced motion y -
+    /// e, so that the first order is meaningless.
     pub fn errors(&self, lower: &Lifted<'_>, law: &dyn Law) -> Option<Vec<Distance<'_>>> {
         let (time, state) = &self.start;
         let mut error = DVector::from_vec(lower.above(*time, state, lower.start));
@@ -142,7 +144,7 @@ impl Weights {
     }
 }
 
-/// Whether the derivative of the cubic through both ends agrees with the law at a share of the interval.
+/// Whether the derivative of the cubic through both ends agrees with the law at a fraction of the interval.
 fn follows(law: &dyn Law, [begin, end]: [&Knot; 2], share: f64, (time, state): (f64, &[f64]), sizes: &[f64]) -> bool {
     let mut rates = vec![0.0; state.len()];
     law.rates(time, state, &mut rates);

@@ -1,17 +1,18 @@
-//! Smaller models of a text model, each named by the elements that it leaves out.
+//! Reduced models of a text model, each named by the neglected elements.
 //!
 //! | in the name | left out | exact where |
 //! |---|---|---|
-//! | `without k` | the element whose parameter is k: k = 0 | the element does nothing along the run |
-//! | `rigid k` | the stretch of the spring of stiffness k, or the motion in the damper of coefficient k: zero | k is infinite |
-//! | `quasi-steady x` | the rate of x: x has the value at which its equation balances | x relaxes at once |
+//! | `without k` | the element whose parameter is k: k = 0 | the element has no effect along the run |
+//! | `rigid k` | the elongation of the spring of stiffness k, or the motion in the damper of coefficient k: zero | k is
+//! infinite |
+//! | `quasi-steady x` | the rate of x: x has the value for which its rate vanishes | x relaxes instantaneously |
 //! | `fixed x` | the equation of x: x keeps its initial value, without a constraint force | its rate vanishes |
 //! | `unfollowed x` | the equation of x | no output and no other rate depends on x |
 //! | `equal x=y` | the equation of x, which equals y | x and y have equal initial values and rates |
 //! | `linear` | all nonlinear terms: the law is linearised about zero | the law is linear |
 //!
-//! Parts are joined by semicolons, names within one by commas: `quasi-steady i1,i2; unfollowed phi`. A run takes such a
-//! name: [`SimplifiedScene`].
+//! Parts are joined by semicolons, names within a part by commas: `quasi-steady i1,i2; unfollowed phi`. A run accepts
+//! such a name: [`SimplifiedScene`].
 
 mod balance;
 pub(super) mod candidates;
@@ -23,14 +24,14 @@ pub use scene::SimplifiedScene;
 
 use std::fmt;
 
-/// The elements that a smaller model leaves out, by the names of parameters and of states.
+/// The elements that a reduced model neglects, by the names of parameters and of states.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Simplification {
     /// Parameters that are zero.
     pub without: Vec<String>,
-    /// Parameters of springs and dampers that grow without bound.
+    /// Parameters of springs and dampers that tend to infinity.
     pub rigid: Vec<String>,
-    /// States whose rates are set to zero; the speed of a coordinate among them is zero too.
+    /// States whose rates are set to zero; for a coordinate also its speed is zero.
     pub quasi_steady: Vec<String>,
     /// States that keep their initial values.
     pub fixed: Vec<String>,
@@ -42,9 +43,9 @@ pub struct Simplification {
     pub linear: bool,
 }
 
-/// The keywords of a name that take names of parameters or states.
+/// The keywords followed by names of parameters or states.
 const KINDS: [&str; 6] = ["without", "rigid", "quasi-steady", "fixed", "unfollowed", "equal"];
-/// The keyword that takes no names.
+/// The keyword without names.
 const LINEAR: &str = "linear";
 
 impl Simplification {
@@ -78,12 +79,12 @@ impl Simplification {
         Ok(found)
     }
 
-    /// Whether the model has a reduced law, and not only other values of parameters.
+    /// Whether the model has a law of its own, and not only other parameter values.
     pub fn has_own_law(&self) -> bool {
         self.linear || self.lists().iter().skip(2).any(|(_, names)| !names.is_empty())
     }
 
-    /// The simplification by both.
+    /// The combination of both simplifications.
     #[must_use]
     pub fn and(&self, other: &Self) -> Self {
         let mut both = self.clone();
@@ -118,7 +119,7 @@ impl Simplification {
         ]
     }
 
-    /// The elements left out, in words, against the scene's own model.
+    /// The neglected elements, in words, compared with the scene's own model.
     pub fn dropped(&self) -> String {
         let words = [
             "the elements of these parameters: ",

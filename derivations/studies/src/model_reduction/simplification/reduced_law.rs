@@ -9,14 +9,14 @@ use simulation::SymbolicLaw;
 use std::sync::Arc;
 use symbolic::{Hypotheses, Sym, apart, decide, substitute_all};
 
-/// The role of a state in a smaller model.
+/// The role of a state in a reduced model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Role {
     Followed,
     Fixed(f64),
     /// The speed of a quasi-steady coordinate: zero.
     Resting,
-    /// An algebraic state whose value makes the rate of the state at this place vanish.
+    /// An algebraic state, whose value makes the rate of the state with this index vanish.
     Balancing(usize),
     /// A state equal to a retained one.
     Same(usize),
@@ -26,10 +26,10 @@ enum Role {
 #[derive(Clone, Debug)]
 struct Roles(Vec<Role>);
 
-/// The law of the retained states with the lift to all states, from the names of the states and the initial state.
+/// The law of the retained states and the lift to all states, from the names of the states and the initial state.
 ///
 /// # Errors
-/// A name that is no state's, or the reason for which there is no such law.
+/// A name of no state, or the reason why there is no such law.
 pub(super) fn lower(
     written: &Arc<dyn SymbolicLaw>,
     names: &[String],
@@ -56,7 +56,7 @@ pub(super) fn lower(
         let at = place(name)?;
         let speed = speed_of(&**written, at);
         match speed {
-            // a coordinate balances the rate of its speed, which is zero
+            // a coordinate makes the rate of its speed vanish, and its speed is zero
             Some(speed) => {
                 roles.0[at] = Role::Balancing(speed);
                 roles.0[speed] = Role::Resting;
@@ -114,8 +114,8 @@ fn speed_of(written: &dyn SymbolicLaw, coordinate: usize) -> Option<usize> {
 }
 
 impl Roles {
-    /// Checks the exact parts: no retained rate depends on an unfollowed state, and states that are called equal start equal and stay
-    /// equal.
+    /// Checks the exact parts: no retained rate depends on an unfollowed state, and states declared equal are equal at
+    /// the start and later.
     fn check_exact(
         &self,
         written: &dyn SymbolicLaw,
@@ -165,7 +165,8 @@ impl Roles {
         self.0.iter().enumerate().filter(|(_, role)| **role == Role::Followed).map(|(place, _)| place)
     }
 
-    /// All states as functions of the retained ones; `None` where the balances cannot be solved.
+    /// All states as functions of the retained ones; `None` where the equations of quasi-steady states cannot be
+    /// solved.
     fn lifted(&self, written: &dyn SymbolicLaw, time: Sym, z: &[Sym]) -> Option<Vec<Sym>> {
         let mut followed = z.iter();
         let mut y: Vec<Sym> = Vec::with_capacity(self.0.len());
@@ -205,7 +206,7 @@ fn has_values_at_zero(law: &dyn SymbolicLaw) -> bool {
     simulation::traced(law, |traced| !traced.rates.contains(&Sym::UNDEFINED))
 }
 
-/// A law to first order about the zero of all states: F(t, 0) + F_y(t, 0) y.
+/// A law linearised about the zero of all states: F(t, 0) + F_y(t, 0) y.
 struct LinearLaw(Arc<dyn SymbolicLaw>);
 
 impl Ode<Sym> for LinearLaw {
