@@ -4,7 +4,7 @@
 //! * [`principles`]: the principles of mechanics, equal on every system;
 //! * [`regimes`]: existence and uniqueness of motion with friction;
 //! * [`stabilisation`]: constraint stabilisation under discretisation;
-//! * [`stationary`], [`stability`]: all stationary motions of a gyrostat with any motor, and their stability;
+//! * [`stationary`], [`stability`]: all steady motions of a gyrostat with any motor, and their stability;
 //! * [`numerical_stability`]: stability of a method's one-step map against that of the motion;
 //! * [`synchronism`]: a synchronous motor under load.
 //!

@@ -1,4 +1,4 @@
-//! The theorems on completeness of the stationary motions, in the letters of section 6 of Konosevich & Konosevich 2022.
+//! The theorems on completeness of the steady motions, in the letters of section 6 of Konosevich & Konosevich 2022.
 
 use claims::{Condition, Page, Paper};
 use field::{Circle, Scalar};
@@ -70,7 +70,7 @@ fn gradient(page: &mut Page, s: &Letters) {
     .follows((0..3).flat_map(|i| (0..3).map(move |j| Equal(tensor[(i, j)], reduced[(i, j)]))));
 }
 
-/// The vertical momentum of a stationary motion.
+/// The vertical momentum of a steady motion.
 fn momentum(page: &mut Page, s: &Letters) {
     let g = s.in_axes_of_a_star();
     let lambda = letter("λ");

@@ -1,4 +1,4 @@
-//! Additional results: power balance, a nonincreasing function, integrals, and stationary motions as critical points.
+//! Additional results: power balance, a nonincreasing function, integrals, and steady motions as critical points.
 
 use super::alphabet::{cyclic, letter, number, one, vector};
 use super::letters::Letters;

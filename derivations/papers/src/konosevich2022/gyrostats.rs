@@ -204,7 +204,7 @@ pub fn rod() -> Gyrostat<Rational> {
     }
 }
 
-/// All examples on stationary motions.
+/// All examples on steady motions.
 pub fn all() -> Vec<Example> {
     vec![
         spherical(),

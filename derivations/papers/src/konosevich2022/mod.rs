@@ -1,4 +1,4 @@
-//! B. I. Konosevich, Yu. B. Konosevich: the gyrostat with an electric motor, mathematical model and stationary motions.
+//! B. I. Konosevich, Yu. B. Konosevich: the gyrostat with an electric motor, mathematical model and steady motions.
 //! Prikladnaya matematika i mekhanika 86 (2022), no. 6, 814-838 (in Russian).
 //!
 //! # Overview

@@ -11,10 +11,10 @@
 //! * [`outputs`]: the outputs of interest; [`sampled_run`]: runs at the instants at which errors are measured;
 //! * [`error_propagation`]: the error equation, driven by the defect; [`estimate`]: the error estimate from its run;
 //! * [`dual_weighted_error`]: the error by transition matrices, weighted for each output, with its sources along the run;
-//! * [`switching`]: a smaller model on a part of the run; [`loss_weights`]: the transition matrices that weight its losses;
+//! * [`switching`]: a reduced model on a part of the run; [`loss_weights`]: the transition matrices that weight its losses;
 //! * [`simplification`]: elements that a text model can do without, found in its equations; [`text_models`]: its models;
 //! * [`run_rows`]: a run's rows at its steps; [`first_run`]: that of the scene's own model; [`plan`]: the cheapest method and form
-//!   for a law; `trial`: its run with an error, `comparison`: smaller models against that; [`choose`](mod@choose): the cheapest of
+//!   for a law; `trial`: its run with an error, `comparison`: reduced models against that; [`choose`](mod@choose): the cheapest of
 //!   any [`choose::Models`], such as those of [`forms`], with its [`receipt`]; [`ReducedScene`]: a scene run by one of them.
 //!
 //! A reduction with a vanishing defect is exact; this is decided symbolically. For all others the error is estimated to

@@ -1,4 +1,4 @@
-//! Reduced models by smaller motor models that a scene's data can make.
+//! Reduced models with simpler motor models that can be made from a scene's data.
 
 use super::motors::written;
 use super::reduced_model::Lower;
@@ -11,8 +11,8 @@ use simulation::Axes;
 use std::sync::Arc;
 use symbolic::Sym;
 
-/// The reduced model by a smaller motor model, lifted by the names of the states: an angle that it lacks is the integral of its
-/// slip, currents that it lacks are zero.
+/// The reduced model with a simpler motor model, lifted by the names of the states: a missing angle is the integral of
+/// the slip, missing currents are zero.
 pub(super) fn reduced_model(
     scene: &Scene,
     axes: Axes,
@@ -61,13 +61,13 @@ pub(super) fn reduced_model(
     let lower = Lower { dimension: start.len(), lift: Arc::new(lift), rates: Arc::new(rates), kept: None };
     let (dropped, parameter) = dropped(model);
     let mut reduced = ReducedModel::new(model, dropped, Loss::Small { parameter }, lower, start)?;
-    // a run of the smaller machine measures the slip against its own field
+    // a run of the simpler machine measures the slip relative to its own field
     let shown = outputs(scene.on_bench(), &smaller.machine);
     reduced.shows = shown.into_iter().filter(|name| name != "slip" || lag == 0.0).collect();
     Some(reduced)
 }
 
-/// The parts that a smaller machine leaves out, and the parameter that must be small for that, in words.
+/// The parts that a simpler machine neglects, and the parameter that must be small, in words.
 fn dropped(model: &str) -> (&'static str, &'static str) {
     match model {
         "synchronous" => ("all currents and the damping by slip", "damping of the swing over one swing"),

@@ -9,7 +9,7 @@ use simulation::SymbolicLaw;
 use std::sync::Arc;
 use symbolic::symbols;
 
-/// The reduced model on which all windings have the steady currents at the present angle and speed.
+/// The reduced model in which all windings have the steady currents for the present angle and speed.
 pub fn reduced_model<M>(machine: &M, written: &Arc<dyn SymbolicLaw>, start: &[f64]) -> Option<ReducedModel>
 where
     M: Machine<f64> + Clone + Send + Sync + 'static,
@@ -40,7 +40,7 @@ where
 /// The steady currents as functions of angle and speed.
 struct Resting<M> {
     machine: M,
-    /// The places where the rotor's state and the currents begin.
+    /// The indices where the rotor's state and the currents begin.
     rotor: usize,
     currents: usize,
 }

@@ -1,10 +1,10 @@
-//! Switching runs: a smaller model on those intervals of a run on which it changes the outputs little.
+//! Switching runs: a reduced model on those intervals of a run on which it changes the outputs little.
 //!
-//! Along a coarse run of the richer law each interval is also run by the smaller model, from the state mapped down; at the
-//! end the state is lifted, with consistent currents. The difference is weighted by transition matrices for every output at
-//! the end of every interval. The smaller model is used where this is below a threshold, and left where it is above a
-//! higher one (hysteresis). The threshold is the largest with which the sum of the losses stays within the allowed error. The
-//! estimate is of first order.
+//! Along a coarse run of the full law each interval is also run with the reduced model, from the projected state; at
+//! the end the state is lifted, with consistent currents. The difference is weighted by transition matrices for every
+//! output at the end of every interval. The reduced model is used where this loss is below a threshold, and left where
+//! it is above a higher one (hysteresis). The threshold is the largest for which the sum of the losses stays within the
+//! allowed error. The estimate is of first order.
 
 use super::loss_weights::{Knot, propagator};
 use super::outputs::Watched;
@@ -14,13 +14,13 @@ use integrators::{Failure, Jacobian, Method, Record, Span, Tolerance, integrate}
 use nalgebra::DMatrix;
 use std::time::Instant;
 
-/// Intervals of a run.
+/// The number of intervals of a run.
 pub const INTERVALS: usize = 64;
-/// States along each interval from which its transition matrix is computed.
+/// The number of states along each interval from which its transition matrix is computed.
 const KNOTS: usize = 4;
-/// Jacobians along the coarse run, each more expensive than an evaluation.
+/// The number of Jacobians along the coarse run; each is more expensive than an evaluation.
 pub const LOOKING: usize = 2 * INTERVALS * KNOTS;
-/// The ratio of the threshold at which the smaller model is left to that at which it is taken up.
+/// The ratio of the threshold at which the reduced model is left to that at which it is used.
 const HYSTERESIS: f64 = 4.0;
 /// The tolerance of the coarse run.
 const COARSE: f64 = 1e-8;
@@ -28,17 +28,17 @@ const COARSE: f64 = 1e-8;
 /// The intervals of a switching run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schedule {
-    /// The end of each interval, s, and whether the smaller model runs on it.
+    /// The end of each interval, s, and whether the reduced model runs on it.
     pub stretches: Vec<(f64, bool)>,
     /// The error estimate of the outputs.
     pub promised: f64,
 }
 
-/// Method and tolerance of the richer and of the smaller model.
+/// The method and tolerance of the full and of the reduced model.
 pub type Sides = [(Method, f64); 2];
 
 impl Schedule {
-    /// The intervals, s, on which the smaller model runs.
+    /// The intervals on which the reduced model runs, s.
     pub fn spans(&self) -> Vec<(f64, f64)> {
         let mut spans: Vec<(f64, f64)> = Vec::new();
         let mut begin = 0.0;
@@ -53,13 +53,13 @@ impl Schedule {
         spans
     }
 
-    /// The share of the run that the smaller model takes.
+    /// The fraction of the run on which the reduced model runs.
     pub fn share(&self) -> f64 {
         self.stretches.iter().filter(|(_, low)| *low).count() as f64 / self.stretches.len() as f64
     }
 }
 
-/// A coarse run of the richer law, with the sensitivities of the outputs to the state after each interval.
+/// A coarse run of the full law, with the sensitivities of the outputs to the state after each interval.
 pub struct CoarseRun {
     /// The ends of the intervals, s.
     times: Vec<f64>,
@@ -70,10 +70,10 @@ pub struct CoarseRun {
 }
 
 impl Hierarchy {
-    /// The coarse run of the richer law.
+    /// The coarse run of the full law.
     ///
     /// # Errors
-    /// The failure of the run, which may be the deadline.
+    /// [`Failure`] of the run, which may be the deadline.
     pub fn course(&self, watched: &Watched, deadline: Option<Instant>) -> Result<CoarseRun, Failure> {
         let (n, span) = (self.start.len(), self.own.span);
         let times: Vec<f64> = (1..=INTERVALS).map(|k| span * (k as f64 / INTERVALS as f64)).collect();
@@ -111,8 +111,8 @@ impl Hierarchy {
         Ok(CoarseRun { times, states, weights })
     }
 
-    /// The schedule of a reduced model for an allowed error of the outputs; `None` where it suffices nowhere, or where its states are not
-    /// among those of the richer law.
+    /// The schedule of a reduced model for an allowed error of the outputs; `None` where it suffices nowhere, or its
+    /// states are not among those of the full law.
     pub fn schedule(&self, reduced: &ReducedModel, course: &CoarseRun, allowed: f64) -> Option<Schedule> {
         let kept = reduced.lower.kept.as_ref()?;
         let losses: Vec<f64> = (0..INTERVALS).map(|k| self.loss(reduced, kept, course, k)).collect();

@@ -1,4 +1,4 @@
-//! The models of a text model: its own, known smaller ones, and simplifications that are found.
+//! The models of a text model: its own, known reduced ones, and simplifications found in its equations.
 
 use super::choose::{Mixed, Models};
 use super::estimate::Estimate;
@@ -19,11 +19,11 @@ use simulation::{Axes, Law, Problem, Stored};
 use std::cell::OnceCell;
 use std::sync::Arc;
 
-/// The greatest code size of a law, bytes, for which each of its parameters is tried at zero.
+/// The largest code size of a law, bytes, for which each of its parameters is tried at zero.
 const MOST_CODE: usize = 20_000;
-/// A law is shorter if its code is at most this share of that of the scene's own law.
+/// A law is shorter if its code is at most this fraction of that of the scene's own law.
 const SHORTER: f64 = 0.8;
-/// Estimates that cost more than this share of a coarse run are not made.
+/// Estimates are not made if they cost more than this fraction of a coarse run.
 const WORTH: f64 = 1.0;
 /// A first-order estimate above this multiple of the allowed error rejects a model without a run.
 const DOUBT: f64 = 10.0;
@@ -33,7 +33,7 @@ const OF_ELEMENT: &str = "the part of this element relative to the others";
 /// The scene with its models.
 pub struct TextModels {
     scene: Arc<dyn Modelled>,
-    /// The scene's own model, and smaller ones known by name.
+    /// The scene's own model, and reduced ones known by name.
     known: Forms,
     /// The simplifications found, each with its problem.
     found: OnceCell<Vec<Simplified>>,
@@ -58,7 +58,7 @@ impl TextModels {
         &self.known.ladders[0].own
     }
 
-    /// The simplifications, exact ones first, then those that leave out the most.
+    /// The simplifications: exact ones first, then those that neglect the most.
     fn simplified(&self, watched: &Watched) -> Vec<Simplified> {
         let own = self.own();
         let mut found: Vec<(Candidate, bool)> = Vec::new();
@@ -75,7 +75,7 @@ impl TextModels {
             }
             found.extend(beyond.into_iter().map(|one| (one, false)));
         }
-        // each element that is left out, or made rigid, compiles a law
+        // each element that is neglected, or made rigid, compiles a law
         let may_save = watched.stiff || own.switching.is_some() || self.scene.is_written();
         if may_save && own.law.code_size().is_none_or(|bytes| bytes <= MOST_CODE) {
             let elements = self.scene.parameters().into_iter().filter(|one| self.scene.value(&one.name) != Some(0.0));
@@ -96,7 +96,7 @@ impl TextModels {
                 (Some(code), Some(own)) => code as f64 <= SHORTER * own as f64,
                 _ => false,
             };
-            // leaving out an element saves by less stiffness, fewer events, or shorter code
+            // neglecting an element saves by less stiffness, fewer events, or shorter code
             let has_fewer_events = own.switching.is_some() && problem.switching.is_none();
             let is_slower = || fastest_at(&*problem.law, &problem.state) < SLOWER * fastest;
             let is_simpler = match candidate.simplification.rigid.is_empty() {
@@ -120,8 +120,8 @@ impl TextModels {
         own.switching.is_none() && count > 0 && cost() as f64 <= WORTH * pilot.run.evaluations as f64
     }
 
-    /// The first-order error of each simplification along times and states of a run of the scene's own model, `None` where it is
-    /// undefined; `None` for all where the run has too few points, or where the law changes at events.
+    /// The first-order error of each simplification along times and states of a run of the scene's own model, `None`
+    /// where undefined; `None` for all if the run has too few points, or the law changes at events.
     pub fn estimates(&self, watched: &Watched, along: &[(f64, Vec<f64>)]) -> Option<Vec<Option<Estimate>>> {
         let found = self.found.get_or_init(|| self.simplified(watched));
         let weights = self.own().switching.is_none().then(|| Weights::along(&*self.own().law, along)).flatten()?;

@@ -5,10 +5,10 @@ use super::outputs::Watched;
 use super::plan::{FINEST, Plan, between, error_at};
 use super::run_rows::Run;
 
-/// The least observed order of the error in the tolerance with which an extrapolation is believed.
+/// The smallest observed order of the error in the tolerance for which an extrapolation is credible.
 const LEAST_SLOPE: f64 = 0.5;
 
-/// A run of a line's model by a plan, with its error, the largest over the run.
+/// A run of a line's model by a plan, with its error (the largest over the run).
 #[derive(Clone, Debug)]
 pub struct Trial {
     pub line: usize,
@@ -18,9 +18,9 @@ pub struct Trial {
 }
 
 impl Trial {
-    /// The run of a plan with its method's error, at most `most` where one of two runs achieves that. If both pilots are coarser, the
-    /// error is extrapolated from theirs. If that is not believed, or too large, a finer run measures the error, or replaces the run.
-    /// `None` where no run reaches its end.
+    /// The run of a plan with its method's error, at most `most` if one of two runs achieves that. If both pilots are
+    /// coarser, the error is extrapolated from theirs. If this is not credible or too large, a finer run measures the
+    /// error, or replaces the run. `None` where no run reaches its end.
     pub fn of_plan(
         (line, mut plan): (usize, Plan),
         watched: &Watched,
@@ -33,7 +33,7 @@ impl Trial {
         let [coarse, fine] = &plan.pilots;
         let by_pilots = match (known, coarse.run.apart(&run, watched), fine.run.apart(&run, watched)) {
             (Some(_), ..) => Some(plan.error_at(plan.tolerance)),
-            // the finer pilot replaces the exact motion, with its own error
+            // the finer pilot serves as the exact motion, with its own error
             (None, _, Some(off)) if plan.tolerance > fine.tolerance => {
                 Some(factor * off + plan.error_at(fine.tolerance))
             }

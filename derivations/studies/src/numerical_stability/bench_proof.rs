@@ -1,7 +1,8 @@
 //! Proved stability of a splitting for all step sizes of an interval: a motor on its bench, at a steady angle.
 //!
-//! Every sub-flow has this equilibrium, hence the linearised step is the product M(h) of the sub-flows' matrices for every h. Over an
-//! interval of step sizes its entries are Taylor models in h; `grows` decides whether a multiplier leaves the unit circle.
+//! Every sub-flow has this equilibrium, so that the linearised step is the product M(h) of the sub-flows' matrices for
+//! every h. Over an interval of step sizes its entries are Taylor models in h; `grows` decides whether a multiplier
+//! leaves the unit circle.
 
 use super::motions::{Rotor, Stationed};
 use super::multipliers::{Matrix, grows};
@@ -16,17 +17,17 @@ use integrators::Splitting;
 #[derive(Clone, Debug)]
 pub struct Resting {
     pieces: [Piece; 2],
-    /// cos g, sin g
+    /// The cosine and the sine of the angle g.
     angle: [TaylorModel; 2],
-    /// Without dissipation: every sub-flow is Hamiltonian, and multipliers come in pairs z, 1/z.
+    /// Whether there is no dissipation: every sub-flow is then Hamiltonian, and multipliers come in pairs z, 1/z.
     symmetric: bool,
 }
 
-/// Intervals are halved down to a relative width of 1e-9.
+/// Intervals are bisected down to a relative width of 1e-9.
 const LIMITS: Limits = Limits { sign: 1e-9, motion: 1e-9, most: 1_500 };
 
 impl Resting {
-    /// The sub-flows of a scene at a stationary motion; `None` in a gyrostat, for motors
+    /// The sub-flows of a scene at a steady motion; `None` in a gyrostat, for motors
     /// without known flows, and for torques that are not linear in the slip.
     pub fn of(scene: &Scene, motion: &Stationed) -> Option<Self> {
         let (Setup::Bench { axial }, Rotor::InStep { .. }) = (&scene.system, &motion.rotor) else { return None };
@@ -34,7 +35,7 @@ impl Resting {
         Some(Resting { pieces, angle: motion.at.angle.each_ref().map(TaylorModel::enclosed), symmetric })
     }
 
-    /// Whether the one-step map is unstable, for every step size of an interval, s.
+    /// Decides whether the one-step map is unstable, for all step sizes of an interval, s.
     pub fn course(&self, splitting: Splitting, ends: [f64; 2]) -> Proved {
         let schedule: Vec<(usize, Rational)> =
             splitting.schedule::<f64>(2).into_iter().map(|(piece, share)| (piece, Rational::exactly(share))).collect();
@@ -48,7 +49,7 @@ impl Resting {
 
     /// The matrix of a step over a range of step sizes.
     fn map(&self, schedule: &[(usize, Rational)], step: &TaylorModel) -> Option<Matrix> {
-        // a symmetric composition has every flow twice
+        // a symmetric composition contains every flow twice
         let mut flows: Vec<(&(usize, Rational), Matrix)> = Vec::new();
         let mut whole: Option<Matrix> = None;
         for one in schedule {

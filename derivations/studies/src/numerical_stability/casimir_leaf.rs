@@ -1,4 +1,4 @@
-//! Coordinates on the Casimir leaf |v| = 1, x.v = P, on which a gyrostat's steps stay.
+//! Coordinates on the Casimir leaf |v| = 1, x.v = P, which a gyrostat's steps preserve.
 //!
 //! Every flow conserves v.v and x.v. Their gradients are left eigenvectors of the matrix of a step at a fixed point: two
 //! multipliers are exactly one at every step size, and the others belong to the leaf. With v_a the largest component of v and b, c
@@ -6,8 +6,8 @@
 //!
 //!   (x_b, x_c, v_b, v_c) ,    v_a = +-(1 - v_b^2 - v_c^2)^1/2 ,    x_a = (P - x_b v_b - x_c v_c)/v_a ,
 //!
-//! then g, p and the fluxes as far as they are states. Where the rotor's momentum p is conserved, it is one more unit multiplier
-//! and no coordinate.
+//! followed by g, p and the fluxes if they are states. A conserved rotor momentum p gives one more unit multiplier, and
+//! is no coordinate.
 
 use field::{Analytic, Base, Over, Scalar};
 use motor::{Conserved, Machine, Point as RotorPoint, RotorState};
@@ -21,12 +21,12 @@ pub(super) type Step<'a, S> = dyn Fn(&[S]) -> Option<Vec<S>> + 'a;
 /// The leaf with given values of the integrals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Surface<P> {
-    /// a, and the sign of v_a
+    /// The index a of the largest component of v; `upwards` is its sign.
     largest: usize,
     upwards: bool,
-    /// P
+    /// The angular momentum about the vertical P = x.v.
     along: P,
-    /// p where it is conserved
+    /// The rotor momentum p, if conserved.
     kept: Option<P>,
     knows_angle: bool,
 }
@@ -50,7 +50,7 @@ impl Surface<f64> {
         self.chosen(&entered(form, machine, state))
     }
 
-    /// The leaf with its data in another field.
+    /// The leaf with its data in another scalar type.
     pub fn map<P>(&self, number: impl Fn(f64) -> P) -> Surface<P> {
         let Surface { largest, upwards, along, kept, knows_angle } = *self;
         Surface { largest, upwards, along: number(along), kept: kept.map(number), knows_angle }

@@ -1,4 +1,5 @@
-//! Charts of every method on every stationary motion of a scene: the step sizes at which the map preserves its stability or instability.
+//! Charts of all methods for all steady motions of a scene: the step sizes for which the one-step map preserves
+//! stability or instability.
 
 use super::methods::OneStep;
 use super::motions::{AllStationed, NoMotions, Rotor, Stationed};
@@ -11,11 +12,11 @@ use std::fmt::{self, Write};
 /// The chart for one angular velocity.
 pub struct Chart {
     pub all: AllStationed,
-    /// The methods' rows for each motion, in the order of the motions.
+    /// The rows of the methods for each motion, in the order of the motions.
     pub rows: Vec<Vec<Row>>,
 }
 
-/// The intervals of step sizes of a method on a motion.
+/// The intervals of step sizes of a method at a motion.
 #[derive(Clone, Debug)]
 pub struct Row {
     pub method: OneStep,
@@ -23,7 +24,7 @@ pub struct Row {
     pub steps: Option<Steps>,
 }
 
-/// The rows of every method on a motion with these modes.
+/// The rows of all methods for a motion with these modes.
 pub fn rows(modes: &[Mode]) -> Vec<Row> {
     let row = |method: &OneStep| {
         let function = method.function();
@@ -37,17 +38,17 @@ pub fn rows(modes: &[Mode]) -> Vec<Row> {
 pub enum ChartedMotion {
     /// Every eigenvalue, except those of the integrals, has a negative real part.
     Fades,
-    /// No eigenvalue has a positive real part; this many are imaginary.
+    /// No eigenvalue has a positive real part, and `staying` of them are imaginary.
     Stays { staying: usize },
-    /// This many eigenvalues have a positive real part.
+    /// `growing` eigenvalues have a positive real part.
     Grows { growing: usize },
 }
 
 impl Chart {
-    /// The chart of a scene with the angular velocity w, rad/s, about the vertical.
+    /// The chart of a scene with the angular velocity w (rad/s) about the vertical.
     ///
     /// # Errors
-    /// [`NoMotions`].
+    /// [`NoMotions`] where the steady motions are not known.
     pub fn of(scene: &Scene, w: f64) -> Result<Self, NoMotions> {
         let all = AllStationed::of(scene, w)?;
         let rows = all
@@ -80,7 +81,7 @@ impl Chart {
         out
     }
 
-    /// All eigenvalues as text, those known from structure first.
+    /// All eigenvalues as text, beginning with those known from the structure.
     pub fn eigenvalues(&self, spectrum: &Spectrum) -> String {
         let linear = &self.all.linear;
         let mut each = Vec::new();
@@ -97,7 +98,7 @@ impl Chart {
 }
 
 impl Row {
-    /// The intervals of step sizes with their verdicts, in a line.
+    /// The intervals of step sizes with their verdicts, in one line.
     pub fn told(&self) -> String {
         let Some(steps) = &self.steps else { return "not known: thresholds lie too close together".to_owned() };
         let correct = match steps.correct() {
@@ -113,7 +114,7 @@ impl Row {
         if each.is_empty() { correct } else { format!("{correct}; {}", each.join("; ")) }
     }
 
-    /// The step sizes at which the map becomes unstable or stable: the thresholds that runs can measure.
+    /// The thresholds of step sizes at which the map becomes unstable or stable: those that runs can measure.
     pub fn edges(&self) -> Vec<&Enclosure> {
         let Some(steps) = &self.steps else { return Vec::new() };
         let turns = steps.stretches.windows(2).map(|pair| (pair[0].growing == 0) != (pair[1].growing == 0));
@@ -150,16 +151,16 @@ fn eigenvalue(mode: &Mode) -> String {
     }
 }
 
-/// The greatest number of digits of a printed enclosure.
+/// The largest number of digits of a printed enclosure.
 const DIGITS: usize = 10;
 
-/// The number rounded to ten digits, fewer where its enclosure leaves them open.
+/// The number rounded to ten digits, fewer where its enclosure does not determine them.
 pub fn digits(value: &Enclosure) -> String {
     let [low, high] = value.ends();
     let written = |x: f64, digits: usize| format!("{x:.*e}", digits - 1);
     let shared = (1..=DIGITS).rev().map(|digits| (written(low, digits), written(high, digits)));
     let text = shared.into_iter().find_map(|(low, high)| (low == high).then_some(low));
-    // parsed and printed again, the float has the fewest digits
+    // parsing and printing give the shortest decimal of the float
     text.and_then(|text| text.parse::<f64>().ok()).map_or_else(|| format!("{low:e} to {high:e}"), plain)
 }
 

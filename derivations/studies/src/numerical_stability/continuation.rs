@@ -1,13 +1,14 @@
 //! Continuation of a fixed point in the step size, from short steps to long ones.
 //!
-//! Far from the law's motion a splitting may have several fixed points. The branch that starts at the law's motion for short steps
-//! is followed: each search starts at the fixed point of the step size before, with intermediate step sizes where it fails, and ends
-//! where the branch is lost.
+//! Far from the law's motion a splitting may have several fixed points. The branch that begins at the law's motion for
+//! short steps is continued: each search starts from the fixed point of the previous step size, with intermediate step
+//! sizes if it fails, and ends where the branch is lost.
 
-/// The greatest number of halvings, in ratio, between one step size and the next.
+/// The largest number of halvings of the ratio of successive step sizes.
 const HALVINGS: u32 = 4;
 
-/// The results of `find` at ascending step sizes, s, and at some between them. `find` starts from the result before, if there is one.
+/// The results of `find` at ascending step sizes, s, and at some between them. `find` starts from the previous result,
+/// if there is one.
 pub fn followed<T>(steps: &[f64], find: impl Fn(f64, Option<&T>) -> Option<T>) -> Vec<(f64, T)> {
     let mut found = Vec::new();
     for step in steps {

@@ -1,18 +1,22 @@
-//! Proved stability of a splitting near a gyrostat's stationary motion for all step sizes of an interval: rests and rotations.
+//! Proved stability of a splitting near a gyrostat's steady motion for all step sizes of an interval: equilibria and
+//! rotations.
 //!
-//! If the carrier rotates, the sub-flows do not rest, and the splitting has a fixed point that depends on the step size h,
-//! in the body's axes, where a rotation about the vertical changes nothing. Krawczyk's operator encloses
-//! it over an interval of step sizes as Taylor models in h ([`FixedPoint`]), with the derivative of the step there. If the carrier
-//! rests with its rotor in balance, every sub-flow rests: no square of the energy turns anything, and weight and torque vanish.
-//! The fixed point is then the law's at every h. It is enclosed once, and the derivative of a step is the product of those of its
-//! flows at this point. Instability is decided by `grows`; where it stays open or nothing is enclosed, the test alone is reported.
+//! If the carrier rotates, the sub-flows have no common equilibrium, and the splitting has a fixed point that depends
+//! on the step size h, in the body's axes, where a rotation about the vertical changes nothing. Krawczyk's operator
+//! encloses it over an interval of step sizes as Taylor models in h ([`FixedPoint`]), with the derivative of the step
+//! there. If the carrier is at rest and its rotor balanced, the state is an equilibrium of every sub-flow, since weight
+//! and torque vanish. The fixed point is then that of the law for every h: it is enclosed once, and the derivative of a
+//! step is the product of those of its flows at this point. Instability is decided by `grows`. Where this is undecided
+//! or nothing is enclosed, only the numerical test is reported.
 //!
-//! A single step size needs no range: with numbers enclosed to thirty digits the rounding of long compositions stays small where
-//! models over floats have become too wide. The tested step sizes are proved in this way, one by one.
+//! A single step size needs no interval: with numbers enclosed to thirty digits the rounding of long compositions stays
+//! small where Taylor models over floats have become too wide. The tested step sizes are proved in this way, one by
+//! one.
 //!
-//! A step is taken over `Surface`, which leaves out the multipliers that are one by structure. The step is the one that runs, with
-//! its laws over models: bodies, integrals and collocation have the floats that run, the motor has the decimals, with
-//! windings lumped. A torque that is not linear in the slip takes as many Newton steps as in a run.
+//! A step is taken on `Surface`, without the multipliers that are one by structure. It is the step of the integrator,
+//! with its laws over Taylor models: bodies, integrals and collocation have the floats of the run, the motor the
+//! decimals of the file, with lumped windings. A torque that is nonlinear in the slip takes as many Newton steps as in
+//! a run.
 
 use super::casimir_leaf::{Step, Surface};
 use super::continuation::{before, followed};
@@ -33,38 +37,40 @@ use simulation::Axes;
 use systems::gyrostat::Gyrostat;
 use systems::gyrostat::forms::SecondForm;
 
-/// A gyrostat with its motor near a stationary motion.
+/// A gyrostat with its motor near a steady motion.
 pub struct Turning {
     floats: OnSurface<f64>,
     ranges: Over<TaylorModel>,
     points: Over<Ball>,
-    /// The law's motion, in floats.
+    /// The steady motion of the law, in floats.
     start: Vec<f64>,
-    /// Without dissipation: every sub-flow is Hamiltonian, and multipliers come in pairs z, 1/z.
+    /// Whether there is no dissipation: every sub-flow is then Hamiltonian, and multipliers come in pairs z, 1/z.
     symmetric: bool,
 }
 
 /// The steps over enclosures.
 struct Over<F: Base> {
     steps: OnSurface<F>,
-    /// The enclosed equilibrium of the law where the carrier rests.
+    /// The enclosed equilibrium of the law, if the carrier is at rest.
     rest: Option<Vec<F>>,
 }
 
-/// Intervals without an enclosed fixed point, and those with a threshold, are not halved to the last digit.
+/// Intervals without an enclosed fixed point, and those with a threshold, are not bisected to the last digit.
 const LIMITS: Limits = Limits { sign: 1e-5, motion: 1e-2, most: 200 };
-/// The greatest number of Newton's iterations in floats for the fixed point, and the relative correction at which they end.
+/// The largest number of Newton iterations in floats for the fixed point, and the relative correction at which they
+/// end.
 const ITERATIONS: usize = 12;
 const CONVERGED: f64 = 1e-9;
-/// The step size, s, with which an equilibrium is enclosed, and the radius about its floats, which have rounding errors.
+/// The step size (s) with which an equilibrium is enclosed, and the radius around its floats, which have rounding
+/// errors.
 const SHORT: f64 = 0.01;
 const REST: f64 = 1e-9;
 
 impl Turning {
-    /// The proofs for a gyrostat at a stationary motion.
+    /// The proofs for a gyrostat at a steady motion.
     ///
     /// # Errors
-    /// [`Unproved`].
+    /// [`Unproved`] with the reason why nothing can be proved.
     pub fn of(scene: &Scene, motion: &Stationed) -> Result<Self, Unproved> {
         let Setup::Gyrostat(bodies) = &scene.system else { return Err(Unproved::Bench) };
         if motion.member.is_some() {
@@ -79,15 +85,15 @@ impl Turning {
         Ok(turning)
     }
 
-    /// Whether every sub-flow rests.
+    /// Whether the state is an equilibrium of every sub-flow.
     pub fn rests(&self) -> bool {
         self.points.rest.is_some()
     }
 
-    /// Whether the map is unstable, for all step sizes between two, s; where that stays open at one of `steps`, ascending, it is decided
-    /// there alone.
+    /// Decides whether the map is unstable, for all step sizes in an interval, s; where this is undecided at one of the
+    /// ascending `steps`, it is decided for this step size alone.
     pub fn course(&self, splitting: Splitting, ends: [f64; 2], steps: &[f64]) -> Proved {
-        // fixed points in floats, from which the proof starts; an equilibrium is the law's
+        // fixed points in floats, from which the proof starts; an equilibrium is that of the law
         let moving = if self.rests() { &[] } else { steps };
         let followed = followed(moving, |step, near: Option<&Vec<f64>>| {
             approached(&*self.floats.step(splitting, step, false), near.unwrap_or(&self.start).clone())
@@ -124,7 +130,8 @@ impl Turning {
         }
     }
 
-    /// The law's equilibrium, a fixed point at every step size, enclosed with a short step, which has no other fixed point nearby.
+    /// The equilibrium of the law, a fixed point for every step size, enclosed with a short step, for which there is no
+    /// other fixed point nearby.
     fn resting<C: Rounded, const N: usize>(&self, over: &Over<Model<C, N>>) -> Option<Vec<Model<C, N>>> {
         Some(self.own(over, Splitting::Strang, Model::constant(SHORT), &self.start, REST)?.place)
     }

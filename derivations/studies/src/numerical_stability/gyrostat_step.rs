@@ -9,9 +9,9 @@ use motor::{Kick, Law, Motor, Rule, decay_quotient};
 use systems::gyrostat::forms::SecondForm;
 use systems::gyrostat::momenta::{Flows, Point, Substep};
 
-/// Operations of a field that a step needs beyond arithmetic.
+/// The operations of a scalar type that a step needs beyond arithmetic.
 pub(super) trait Decaying: Base + Over<f64> + Analytic {
-    /// (exp(-a) - exp(-b))/(b - a)
+    /// The quotient (exp(-a) - exp(-b))/(b - a).
     fn between_decays(a: Self, b: Self) -> Self;
     /// Whether the number is known to be positive.
     fn is_positive(&self) -> bool;
@@ -43,12 +43,13 @@ pub(super) struct OnSurface<P: Base> {
     pub machine: Lumped<P, Motor<P>>,
     pub surface: Surface<P>,
     pub law: Law,
-    /// The collocation rule for a nonlinear torque, with the floats that run.
+    /// The collocation rule for a nonlinear torque, with the floats of the run.
     pub rule: Rule<f64>,
 }
 
 impl<P: Decaying> OnSurface<P> {
-    /// A step of a length, s. `rests`: the state is an equilibrium of every sub-flow, and its enclosure is not widened on the way.
+    /// A step of a given length, s. `rests`: the state is an equilibrium of every sub-flow, and its enclosure is not
+    /// widened by the flows.
     pub fn step(&self, splitting: Splitting, length: P, rests: bool) -> Box<Step<'_, Tangent<P>>> {
         let quotient = |a: Tangent<P>, b: Tangent<P>| Tangent::fixed(P::between_decays(a.value, b.value));
         let flows = Flows::<Tangent<P>>::new(&self.form, &self.machine);
@@ -77,7 +78,7 @@ impl<P: Decaying> OnSurface<P> {
     }
 }
 
-/// Restores the values of an equilibrium; the derivatives stay.
+/// Restores the values of an equilibrium, but not the derivatives.
 fn hold<P: Scalar>(rest: &Point<Tangent<P>>, at: &mut Point<Tangent<P>>) {
     at.momentum.zip_apply(&rest.momentum, |moved, rest| moved.value = rest.value);
     at.vertical.zip_apply(&rest.vertical, |moved, rest| moved.value = rest.value);

@@ -1,12 +1,13 @@
-//! The linearised motion near a stationary one, with exact data: its matrix by differentiation of the law.
+//! The linearised motion near a steady one, with exact data: its matrix by differentiation of the law.
 //!
-//! The matrix is symbolic; at a motion its entries are enclosed. Eigenvalues known from structure are split off exactly:
-//! * an integral I of the law f has I' f = 0 everywhere, hence I' A = 0 where f = 0: an eigenvalue 0 for each. The integrals are
-//!   v.v and x.v of every gyrostat, and the own momentum of a free rotor;
-//! * without slip and currents, a winding k enters only through its share psi_k' i_k of the torque, and shares with one decay
-//!   rate R/L add up to one unknown: n such windings have n - 1 eigenvalues exactly -R/L;
-//!   with a supply, the currents are states of their own;
-//! * where energy is conserved the motion is Hamiltonian on the leaf of the integrals: eigenvalues come in pairs mu, -mu.
+//! The matrix is symbolic; at a motion its entries are enclosed. Eigenvalues known from the structure are split off
+//! exactly:
+//! * an integral I of the law f has I' f = 0 everywhere, hence I' A = 0 where f = 0: an eigenvalue 0 for each. The
+//!   integrals are v.v and x.v of every gyrostat, and the own momentum of a free rotor;
+//! * without slip and currents, a winding k enters only through its contribution psi_k' i_k to the torque, and
+//!   contributions with equal decay rates R/L add up to one unknown: n such windings have n - 1 eigenvalues exactly
+//!   -R/L; with a supply, the currents are separate states;
+//! * if energy is conserved the motion is Hamiltonian on the leaf of the integrals: eigenvalues come in pairs mu, -mu.
 
 use super::symbolic_linearisation::linearised;
 use crate::scene::Scene;
@@ -17,15 +18,15 @@ use mechanics::linear_stability::characteristic;
 use mechanics::one_step_stability::{HalfPlane, Mode, Spectrum};
 use symbolic::{Hypotheses, Sym, coefficients, normal};
 
-/// The matrix of a scene's linearised motion near any stationary one, over symbols for its place.
+/// The symbolic matrix of a scene's linearised motion near any steady one.
 #[derive(Debug)]
 pub struct Linearised {
     pub(super) matrix: Vec<Vec<Sym>>,
-    /// The steady currents at the motion, with a supply.
+    /// The steady currents at the motion, for machines with a supply.
     pub(super) resting: Vec<Sym>,
-    /// w, v, cos g, sin g, g'
+    /// The symbols w, v, cos g, sin g, g'.
     pub(super) symbols: Vec<Sym>,
-    /// W, rad/s
+    /// The frame speed W, rad/s.
     pub(super) field_speed: Rational,
     /// Decay rates of windings, 1/s, each with the number of eigenvalues that are exactly its negative.
     pub idle: Vec<(Rational, usize)>,
@@ -35,19 +36,19 @@ pub struct Linearised {
     pub symmetric: bool,
 }
 
-/// The enclosed place of a stationary motion.
+/// The enclosed data of a steady motion.
 #[derive(Clone, Debug)]
 pub struct At {
-    /// w, rad/s, and v
+    /// The angular velocity w, rad/s, and the vertical v.
     pub angular_velocity: [Enclosure; 3],
     pub vertical: [Enclosure; 3],
-    /// g as a point of the circle
+    /// The angle g as a point of the unit circle.
     pub angle: [Enclosure; 2],
-    /// phi', rad/s
+    /// The relative rotor speed phi', rad/s.
     pub rotor_speed: Enclosure,
 }
 
-/// The reason for which there is no linearisation.
+/// The reason why there is no linearisation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoLinear {
     Motor(NoMotor),
@@ -73,17 +74,18 @@ impl std::fmt::Display for NoLinear {
 impl std::error::Error for NoLinear {}
 
 impl Linearised {
-    /// The linearisation of a scene; its data are the decimals in the file.
+    /// The linearisation of a scene; its data are the decimals of the file.
     ///
     /// # Errors
-    /// [`NoLinear`].
+    /// [`NoLinear`] where there is no linearisation.
     pub fn of(scene: &Scene, motor: &MotorStates) -> Result<Self, NoLinear> {
         let free = matches!(motor, MotorStates::Free);
         linearised(&scene.system, &scene.machine, free)
     }
 
-    /// det(mu - A) at a motion without the eigenvalues known from structure, monic, coefficients from the constant upwards.
-    /// `None` where an entry is undefined, or where a presumed integral is not conserved.
+    /// The characteristic polynomial det(mu - A) at a motion, without the eigenvalues known from the structure, monic,
+    /// with coefficients from the constant upwards. `None` where an entry is undefined, or a presumed integral is not
+    /// conserved.
     pub fn polynomial(&self, at: &At, bits: usize) -> Option<Vec<Enclosure>> {
         let places = self.places(at, bits)?;
         let row = |row: &Vec<Sym>| row.iter().map(|entry| value(*entry, &self.symbols, &places, bits)).collect();
@@ -106,7 +108,7 @@ impl Linearised {
         self.resting.iter().map(|&i| value(i, &self.symbols, &places, bits).map(|i| i.to_f64())).collect()
     }
 
-    /// The eigenvalues without those of the integrals; those of idle windings come last.
+    /// The eigenvalues without those of the integrals; those of groups of windings come last.
     pub fn spectrum(&self, at: &At, bits: usize) -> Option<Spectrum> {
         let mut spectrum = Spectrum::of(&self.polynomial(at, bits)?, self.symmetric)?;
         for (rate, count) in &self.idle {
@@ -116,7 +118,7 @@ impl Linearised {
     }
 }
 
-/// The value of a rational expression in the symbols; the windings' share of the torque is zero at the motion.
+/// The value of a rational expression in the symbols; the torque contributions of the windings are zero at the motion.
 fn value(entry: Sym, symbols: &[Sym], places: &[Enclosure], bits: usize) -> Option<Enclosure> {
     let sum = |part: Sym| {
         let mut sum = Enclosure::integer(0, bits);

@@ -2,13 +2,13 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// Squarings of a matrix towards its power.
+/// The number of squarings of a matrix.
 const SQUARINGS: i32 = 40;
-/// A singular value of the power below this share of the largest belongs to a smaller multiplier.
+/// A singular value of the power below this fraction of the largest belongs to a smaller multiplier.
 const FADED: f64 = 1e-9;
 
-/// The spectral radius by Gelfand's formula with the power 2^40: other factors have no weight left, and multiple eigenvalues, at
-/// which iterations for single ones may not converge, are no worse than others.
+/// The spectral radius by Gelfand's formula with the power 2^40, for which the constant factors are negligible.
+/// Multiple eigenvalues, for which iterations for single eigenvalues may not converge, are no exception.
 pub(super) fn spectral_radius(mut power: DMatrix<f64>) -> f64 {
     let mut logarithm = 0.0;
     for squaring in 0..SQUARINGS {
@@ -23,8 +23,8 @@ pub(super) fn spectral_radius(mut power: DMatrix<f64>) -> f64 {
     logarithm.exp()
 }
 
-/// The largest |multiplier| inside the spectral radius. A high power maps onto the invariant space of those on the radius; on its
-/// orthogonal complement the others are left, whatever their multiplicities.
+/// The largest |multiplier| inside the spectral radius. A high power maps onto the invariant space of those on the
+/// radius; its orthogonal complement contains the others, whatever their multiplicities.
 pub(super) fn next_to(matrix: &DMatrix<f64>) -> Option<f64> {
     let mut power = matrix.clone();
     for _ in 0..SQUARINGS {

@@ -1,4 +1,4 @@
-//! Stability thresholds by runs: step sizes at which a perturbed motion turns from staying near to leaving, or back.
+//! Stability thresholds by runs: step sizes at which a perturbed motion begins or ceases to leave the steady motion.
 
 use super::methods::OneStep;
 use super::motions::Stationed;
@@ -17,11 +17,12 @@ use std::sync::Arc;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Run {
     OneStep(OneStep),
-    /// Only where all sub-flows rest: elsewhere the splitting's fixed point is not the law's motion.
+    /// A splitting; only if all sub-flows have the equilibrium: otherwise the splitting's fixed point is not the law's
+    /// motion.
     Splitting(Splitting),
 }
 
-/// A scene's law at a stationary motion.
+/// A scene's law at a steady motion.
 pub struct Runs {
     law: Arc<dyn Law>,
     state: Vec<f64>,
@@ -31,15 +32,15 @@ pub struct Runs {
 const OFF: f64 = 1e-7;
 /// The increment of a difference quotient, relative to the size of a component or one.
 const DIFFERENCE: f64 = 1e-5;
-/// The factor by which other modes are reduced before a run, and the greatest number of squarings of a step for that.
+/// The factor by which other modes are reduced before a run, and the largest number of squarings of a step for that.
 const FADED: f64 = 1e-16;
 const SQUARINGS: f64 = 24.0;
 /// The number of first differences with which the others are compared.
 const FIRST: usize = 2;
-/// A run is decided when differences fall below this share of the first ones, or rise above it.
+/// A run is decided when differences fall below this fraction of the first ones, or rise above it.
 const GONE: f64 = 1e-5;
 const LOST: f64 = 1e4;
-/// The initial interval of the bisection, as a relative distance to both sides of the known threshold, and the number of
+/// The initial bracket of the bisection, as a relative distance to both sides of the known threshold, and the number of
 /// bisections, which give an accuracy of 1/10000.
 const REACH: f64 = 0.2;
 const HALVINGS: u32 = 11;
@@ -54,8 +55,8 @@ impl Runs {
         Runs { law: problem.law, state: problem.state }
     }
 
-    /// The threshold, s, near a known one, at which runs turn from staying to leaving, or from leaving to staying, to twice
-    /// [`APART`]; `None` where no run can decide, or runs on both sides agree.
+    /// The threshold, s, near a known one, at which runs begin or cease to leave the motion, to twice [`APART`]; `None`
+    /// where no run can decide, or runs on both sides agree.
     pub fn threshold(&self, method: Run, near: f64, crossing: Crossing) -> Option<f64> {
         let steps = crossing.steps(APART)?;
         let start = self.along_the_mode(method, near, crossing.rest)?;
@@ -73,8 +74,9 @@ impl Runs {
         Some(0.5 * (low + high))
     }
 
-    /// An initial state displaced along the mode that crosses at this step size: the others have decayed under many steps, and
-    /// displacements that integrals conserve drop out of the difference of a step. `None` where a step fails.
+    /// An initial state displaced along the mode that crosses the unit circle at this step size: the others have
+    /// decayed after many steps, and displacements that integrals conserve cancel in the difference of a step. `None`
+    /// where a step fails.
     fn along_the_mode(&self, method: Run, step: f64, rest: f64) -> Option<Vec<f64>> {
         let n = self.state.len();
         let sizes = DVector::from_iterator(n, self.state.iter().map(|y| y.abs().max(1.0)));
@@ -100,7 +102,7 @@ impl Runs {
 
     /// Whether a run with this step size, s, and number of steps leaves the motion.
     ///
-    /// The differences of neighbouring states decide, since a perturbation that integrals conserve drops out of them.
+    /// The differences of successive states decide, since perturbations that integrals conserve cancel in them.
     fn leaves(&self, method: Run, step: f64, count: usize, start: &[f64]) -> bool {
         let mut watched = Watched { last: start.to_vec(), sizes: Vec::with_capacity(count) };
         let reached = self.run(method, step, count, start, &mut watched).reached();
@@ -143,7 +145,7 @@ impl Runs {
     }
 }
 
-/// The sizes of the differences of neighbouring states.
+/// The magnitudes of the differences of successive states.
 struct Watched {
     last: Vec<f64>,
     sizes: Vec<f64>,
@@ -169,7 +171,7 @@ impl Observer<f64> for Watched {
     }
 }
 
-/// An unconstrained law as a DAE without constraints, for collocation methods with constant step size.
+/// A law as a DAE without constraints, for collocation methods with a constant step size.
 struct Free<'a>(&'a dyn Law);
 
 impl<'a, S: Scalar> Index2Dae<S> for Free<'a>

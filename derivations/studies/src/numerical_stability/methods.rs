@@ -15,8 +15,8 @@ pub enum OneStep {
 }
 
 impl OneStep {
-    /// The classical methods, and collocation with two and three stages. With one stage Gauss is the midpoint rule and Radau IIA is
-    /// backward Euler.
+    /// The classical methods, and collocation with two and three stages. Gauss with one stage is the midpoint rule,
+    /// Radau IIA with one stage is backward Euler.
     pub const ALL: [OneStep; 8] = [
         OneStep::Classical(Scheme::Euler),
         OneStep::Classical(Scheme::RungeKutta4),
@@ -28,9 +28,10 @@ impl OneStep {
         OneStep::Collocation(Family::RadauIIA, 3),
     ];
 
-    /// R(z) for any expression `z`, by a step on y' = z y.
+    /// R(z) for any expression `z`, by a step for y' = z y.
     ///
     /// For collocation u' - z u vanishes at the nodes, hence is a multiple of their polynomial N, and u of degree s is
+    /// sum_k N^(k) z^(s-k); R is its value at the end divided by that at the start.
     /// sum_k N^(k) z^(s-k); R is its value at the end over that at the start.
     pub fn run(self, z: Sym) -> Sym {
         match self {

@@ -1,20 +1,20 @@
-//! Modes from numerical eigenvalues; thresholds of step sizes are exact for these numbers.
+//! Modes from numerical eigenvalues; the thresholds of step sizes are exact for these numbers.
 
 use algebra::complex::Rectangle;
 use algebra::real::Enclosure;
 use mechanics::one_step_stability::{HalfPlane, Mode};
 
-/// Precision of the thresholds, bits.
+/// The precision of the thresholds, bits.
 const BITS: usize = 128;
 
-/// Eigenvalues and real parts below this share of the largest are rounding.
+/// Eigenvalues and real parts below this fraction of the largest are rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// The modes of the nonzero eigenvalues, given by real and imaginary parts in 1/s, and the number of zero ones. Where the energy is
-/// conserved eigenvalues come in pairs mu, -mu: real parts of the size of rounding are then zero.
+/// The modes of the nonzero eigenvalues, given by real and imaginary parts in 1/s, and the number of zero ones. If the
+/// energy is conserved, eigenvalues come in pairs mu, -mu: real parts of the size of rounding are then zero.
 ///
 /// # Errors
-/// A real part that vanishes for no known reason, or a value that is not a number.
+/// A real part that vanishes without a known reason, or a NaN.
 pub fn modes(eigenvalues: &[[f64; 2]], keeps_energy: bool) -> Result<(Vec<Mode>, usize), String> {
     let largest = eigenvalues.iter().map(|[re, im]| re.hypot(*im)).fold(0.0, f64::max);
     let is_zero = |[re, im]: &[f64; 2]| re.hypot(*im) <= ROUNDING * largest;

@@ -1,4 +1,4 @@
-//! The stationary motions of a scene, each with an enclosure and an initial state for runs.
+//! The steady motions of a scene, each with an enclosure and an initial state for runs.
 
 use super::linear::{At, Linearised, NoLinear};
 use crate::scene::{Scene, Setup, Start};
@@ -14,41 +14,41 @@ use nalgebra::Vector3;
 use num_traits::Zero;
 use std::fmt;
 
-/// One stationary motion and its eigenvalues.
+/// A steady motion and its eigenvalues.
 #[derive(Clone, Debug)]
 pub struct Stationed {
-    /// The kind of critical point that W has at the motion of the carrier; `None` on a bench.
+    /// The kind of the critical point of W for the motion of the carrier; `None` on a bench.
     pub kind: Option<Kind>,
     pub rotor: Rotor,
-    /// Whether the carrier rests, exactly.
+    /// Whether the carrier is at rest, exactly.
     pub rests: bool,
-    /// v, where the motion is one of a family whose members have one verdict.
+    /// The direction v, if the motion represents members of a family with one verdict.
     pub member: Option<Vector3<f64>>,
     pub at: At,
     /// The initial state for runs.
     pub start: Start,
-    /// `None` where eigenvalues coincide, or have a vanishing real part for no known reason.
+    /// The eigenvalues; `None` where some coincide, or have a vanishing real part without a known reason.
     pub spectrum: Option<Spectrum>,
 }
 
 /// The rotor's motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Rotor {
-    /// Synchronous at this angle, rad; `held` where the torque restores it.
+    /// Synchronous at this angle, rad; `held`: the torque is restoring.
     InStep { angle: f64, held: bool },
     /// At this speed relative to the carrier, rad/s.
     At { speed: f64 },
 }
 
-/// All stationary motions with one angular velocity; of a family one member from each part with one verdict.
+/// All steady motions with one angular velocity; families are represented by one member for each part with one verdict.
 pub struct AllStationed {
     pub linear: Linearised,
     pub motions: Vec<Stationed>,
-    /// Families without a verdict, which are left out.
+    /// The number of families without a verdict, which are omitted.
     pub families: usize,
 }
 
-/// The reason for which no motions are known.
+/// The reason why no motions are known.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoMotions {
     Answer(NoAnswer),
@@ -72,14 +72,14 @@ impl From<NoAnswer> for NoMotions {
     }
 }
 
-/// Precision of the enclosures, bits.
+/// The precision of the enclosures, bits.
 const BITS: usize = 384;
 
 impl AllStationed {
-    /// The stationary motions of a scene with the angular velocity w, rad/s, about the vertical, which a bench ignores.
+    /// The steady motions of a scene with the angular velocity w (rad/s) about the vertical, which a bench ignores.
     ///
     /// # Errors
-    /// [`NoMotions`].
+    /// [`NoMotions`] with the reason why they are not known.
     pub fn of(scene: &Scene, w: f64) -> Result<Self, NoMotions> {
         match &scene.system {
             Setup::Gyrostat(_) => Self::turning(scene, w),
@@ -148,7 +148,7 @@ impl AllStationed {
     }
 }
 
-/// phi' of a motion, rad/s.
+/// The relative rotor speed phi' of a motion, rad/s.
 fn own_speed(scene: &Scene, kept: Kept, value: &Root, w: &[Enclosure; 3]) -> Option<Enclosure> {
     let (Kept::Momentum, Setup::Gyrostat(bodies)) = (kept, &scene.system) else { return Some(value.enclosure(BITS)) };
     let energies = Energies::of(&decimals(bodies));
@@ -159,15 +159,15 @@ fn own_speed(scene: &Scene, kept: Kept, value: &Root, w: &[Enclosure; 3]) -> Opt
     rest.over(&Enclosure::rational(energies.axial, BITS)?)
 }
 
-/// The place and speed of the rotor.
+/// The angle and speed of the rotor.
 struct Place {
     rotor: Rotor,
     angle: [Enclosure; 2],
-    /// phi'
+    /// The relative speed phi', rad/s.
     speed: Enclosure,
 }
 
-/// All places of the rotor with a speed; `None` for one that cannot be enclosed.
+/// All angles of the rotor with a speed; `None` for one that cannot be enclosed.
 fn places(motor: &MotorStates, speed: &Enclosure) -> Vec<Option<Place>> {
     let number = |n: i64| Enclosure::integer(n, BITS);
     match motor {

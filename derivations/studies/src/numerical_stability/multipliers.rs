@@ -1,21 +1,22 @@
 //! Whether a step's multipliers leave the unit circle, for all step sizes of an interval at once.
 //!
-//! The entries of the matrix M(h) of a step are Taylor models in h, or enclosed numbers for a single h. The map
-//! s = (2/h)(z - 1)/(z + 1) of a multiplier z takes the unit disc to the left half-plane, where Routh's scheme counts. If the scheme has
-//! a zero that is no threshold, growth is proved by a root beyond a shifted line, or, if strong, by the size of a coefficient alone.
+//! The entries of the matrix M(h) of a step are Taylor models in h, or enclosed numbers for a single h. The map s =
+//! (2/h)(z - 1)/(z + 1) of a multiplier z maps the unit disc to the left half-plane, where Routh's scheme counts roots.
+//! If the scheme has a zero that is no threshold, growth is proved by a root beyond a shifted line or, if strong, by
+//! the size of a coefficient.
 
 use algebra::real::{Ordered, TaylorModel};
 use field::Rational;
 use mechanics::linear_stability::{HalfPlanes, characteristic};
 
-/// A matrix, row after row.
+/// A matrix, row by row.
 pub(super) type Matrix<R = TaylorModel> = Vec<Vec<R>>;
 
 /// Lines Re s = const to the right of which a root is searched, in thousandths of 1/h.
 const FURTHER: [i64; 3] = [3, 30, 300];
 
-/// True if a multiplier lies outside the unit circle at every step size of the range, false if none does at any; `None` if open.
-/// `symmetric`: multipliers come in pairs z, 1/z, as in compositions of Hamiltonian flows.
+/// True if a multiplier lies outside the unit circle for every step size of the range, false if none does for any;
+/// `None` if undecided. `symmetric`: multipliers come in pairs z, 1/z, as in compositions of Hamiltonian flows.
 pub(super) fn grows<R: Ordered>(map: &Matrix<R>, step: &R, symmetric: bool) -> Option<bool> {
     if leaves(&characteristic(map, step)) {
         return Some(true);

@@ -2,13 +2,13 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// Eigenvalues and real parts below this share of the largest eigenvalue are rounding.
+/// Eigenvalues and real parts below this fraction of the largest eigenvalue are rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// Frequencies with a smaller relative difference count as one.
 const ONE: f64 = 1e-7;
 
-/// The frequencies of the imaginary eigenvalues, rad/s, each once, the lowest first.
+/// The distinct frequencies of the imaginary eigenvalues, rad/s, the lowest first.
 pub fn frequencies(eigenvalues: &[[f64; 2]]) -> Vec<f64> {
     let largest = eigenvalues.iter().map(|[re, im]| re.hypot(*im)).fold(0.0, f64::max);
     let is_imaginary = |[re, im]: &&[f64; 2]| re.abs() <= ROUNDING * largest && *im > ROUNDING * largest;
@@ -18,7 +18,7 @@ pub fn frequencies(eigenvalues: &[[f64; 2]]) -> Vec<f64> {
     all
 }
 
-/// A displacement that oscillates with one frequency: a vector in the kernel of A^2 + w^2.
+/// A displacement that oscillates with one frequency w: a vector in the kernel of A^2 + w^2.
 pub fn displaced(a: &DMatrix<f64>, frequency: f64) -> DVector<f64> {
     let n = a.nrows();
     let kernel = a * a + DMatrix::identity(n, n) * (frequency * frequency);

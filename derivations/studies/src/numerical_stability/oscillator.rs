@@ -1,7 +1,8 @@
-//! Exact stability intervals of splittings into kick and drift on the oscillator q'' = -k q.
+//! Exact stability intervals of splittings into kick and drift for the oscillator q'' = -k q.
 //!
-//! In the variables (q, h q') a step depends on kappa = h^2 k alone. Its determinant is one, hence its powers are bounded if its
-//! trace is between -2 and 2. The trace is a polynomial in kappa with the coefficients of the composition that runs.
+//! In the variables (q, h q') a step depends only on kappa = h^2 k. Its determinant is one, hence its powers are
+//! bounded if its trace is between -2 and 2. The trace is a polynomial in kappa with the coefficients of the
+//! integrator's composition.
 
 use algebra::real::{Polynomial, Root};
 use field::{Rational, Scalar};
@@ -21,15 +22,15 @@ pub fn step(splitting: Splitting, kappa: Sym) -> [[Sym; 2]; 2] {
     })
 }
 
-/// The trace of a step: coefficients of the powers of kappa from the constant upwards; `None` only where the
-/// composition has a coefficient that is not a number.
+/// The trace of a step: coefficients of the powers of kappa from the constant upwards; `None` if the composition has a
+/// coefficient that is not a number.
 pub fn trace(splitting: Splitting) -> Option<Vec<Rational>> {
     let kappa = Sym::symbol("κ");
     let [[first, _], [_, second]] = step(splitting, kappa);
     univariate(first + second, kappa).ok()
 }
 
-/// The kappa > 0 with |T| = 2, ascending, and whether |T| < 2 before, between and after them.
+/// The kappa > 0 with |trace| = 2, ascending, and whether |trace| < 2 before, between and after them.
 pub fn bounds(splitting: Splitting) -> Option<(Vec<Root>, Vec<bool>)> {
     let trace = trace(splitting)?;
     let shifted = |by: i64| {

@@ -1,24 +1,24 @@
-//! Reasons for which nothing is proved on a splitting near a motion.
+//! Reasons why nothing is proved about a splitting near a motion.
 
 use std::fmt;
 
-/// The greatest number of unknowns of a step that are enclosed.
+/// The largest number of unknowns of a step that are enclosed.
 pub(super) const MOST_UNKNOWNS: usize = 12;
 
-/// The reason for which nothing is proved.
+/// The reason why nothing is proved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unproved {
     /// On a bench: the motor has no steady angle, or no known flows.
     Bench,
-    /// The motion is a member of a family: with other members nearby no operator contracts.
+    /// The motion is a member of a family: with other members nearby Krawczyk's operator is no contraction.
     Family,
-    /// The flow of the kick is not known: there is no splitting either.
+    /// The flow of the kick is unknown: there is no splitting either.
     Fed,
-    /// No fixed point of the splitting is found, or no step is taken.
+    /// No fixed point of the splitting was found, or a step failed.
     Motion,
-    /// The law's equilibrium is degenerate and not enclosed.
+    /// The equilibrium of the law is degenerate and not enclosed.
     Rest,
-    /// More unknowns than `MOST_UNKNOWNS`.
+    /// There are more unknowns than `MOST_UNKNOWNS`.
     Many(usize),
 }
 

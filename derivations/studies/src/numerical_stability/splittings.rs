@@ -1,10 +1,10 @@
-//! The one-step map of a splitting near its fixed point, by differentiation of the step that runs.
+//! The one-step map of a splitting near its fixed point, by differentiation of the integrator's step.
 //!
-//! The sub-flows do not rest where their sum does. A splitting therefore has a fixed point near the law's steady motion, off
-//! by an error of its order; the two coincide where all sub-flows rest (the carrier at rest, a motor on its bench).
-//! The map is differentiated by central differences in double-double, accurate to 18 digits. A splitting conserves |v| and
-//! x.v, and its matrix is taken on the leaf of these integrals. The test is made at each requested step size. Proofs cover
-//! all step sizes between, and give the thresholds where they succeed.
+//! An equilibrium of the law need not be one of the sub-flows. A splitting therefore has a fixed point near the law's
+//! steady motion, at a distance of its order; the two coincide if all sub-flows have the equilibrium (the carrier at
+//! rest, a motor on its bench). The map is differentiated by central differences in double-double, accurate to 18
+//! digits. A splitting conserves |v| and x.v, and its matrix is restricted to the leaf of these integrals. The test is
+//! made for each requested step size. Proofs cover all step sizes between, and give the thresholds where they succeed.
 
 use super::bench_proof::Resting;
 use super::continuation::followed;
@@ -22,17 +22,17 @@ use nalgebra::{DMatrix, DVector};
 use simulation::{Axes, Invariant, Law, Problem};
 use std::sync::Arc;
 
-/// A scene's law at a stationary motion.
+/// A scene's law at a steady motion.
 pub struct SplitRuns {
     law: Arc<dyn Law>,
     state: Vec<f64>,
-    /// All integrals but the energy, which a splitting does not conserve.
+    /// All integrals except the energy, which a splitting does not conserve.
     kept: Vec<Invariant>,
-    /// The start of a proof for all step sizes, or the reason against.
+    /// The data of a proof for all step sizes, or the reason against it.
     provable: Result<Provable, Unproved>,
 }
 
-/// The start of a proof.
+/// The data of a proof.
 enum Provable {
     Resting(Box<Resting>),
     Turning(Box<Turning>),
@@ -46,13 +46,13 @@ pub struct Own {
     pub off: f64,
     /// The largest |multiplier|.
     pub radius: f64,
-    /// The largest |multiplier| inside the radius, where multipliers could be separated.
+    /// The largest |multiplier| inside the radius, if multipliers could be separated.
     pub next: Option<f64>,
 }
 
-/// The increment of a difference quotient, relative to a component or one.
+/// The increment of a difference quotient, relative to the maximum of the component and one.
 const DIFFERENCE: f64 = 1e-9;
-/// The greatest number of Newton's iterations for the fixed point, and the residual at which they end.
+/// The largest number of Newton iterations for the fixed point, and the residual at which they end.
 const ITERATIONS: usize = 12;
 const CONVERGED: f64 = 1e-14;
 /// The relative distance from a threshold at which the growth is evaluated.
@@ -82,8 +82,8 @@ impl SplitRuns {
         complement(&gradients, place.len())
     }
 
-    /// The fixed point for a step size, s, by Newton's method from that of another step size, or from the law's motion. `None` where the
-    /// law has no sub-flows, the step fails, or no fixed point is found.
+    /// The fixed point for a step size (s) by Newton's method, from that of another step size or from the law's motion.
+    /// `None` where the law has no sub-flows, the step fails, or no fixed point is found.
     pub fn own(&self, splitting: Splitting, step: f64, near: Option<&Own>) -> Option<Own> {
         let mut map = self.law.composed_exact(splitting)?;
         map.prepare(DoubleDouble::from(step));
@@ -91,7 +91,7 @@ impl SplitRuns {
         let mut place: Vec<DoubleDouble> = near.map_or_else(law, |own| own.place.clone());
         let mut surface = self.surface(&place);
         let mut matrix = derivative(&mut *map, &place, &surface)?;
-        // an equilibrium of every sub-flow needs no search, however fast rounding grows
+        // an equilibrium of every sub-flow needs no search, however large the rounding
         let rests = matches!(&self.provable, Ok(Provable::Turning(turning)) if turning.rests());
         let mut found = false;
         for _ in 0..ITERATIONS {
@@ -116,14 +116,15 @@ impl SplitRuns {
         (found && radius.is_finite()).then_some(Own { place, off, radius, next })
     }
 
-    /// The longest step, s, with which the program allows the splitting: negative sub-steps must not amplify decaying parts too much.
+    /// The longest step (s) for which the splitting is accepted: negative sub-steps must not amplify decaying
+    /// components too much.
     pub fn longest(&self, splitting: Splitting) -> f64 {
         let Some(mut map) = self.law.composed(splitting) else { return 0.0 };
         map.enter(&self.state);
         splitting.longest_step(map.decay_rate())
     }
 
-    /// Tests and proofs at ascending step sizes, s, up to the longest allowed.
+    /// Tests and proofs at ascending step sizes (s), up to the longest accepted one.
     pub fn course(&self, splitting: Splitting, steps: &[f64]) -> Tested {
         let longest = self.longest(splitting);
         let taken: Vec<f64> = steps.iter().copied().filter(|step| *step <= longest).collect();
@@ -150,7 +151,7 @@ impl SplitRuns {
         Tested { splitting, own, grows, edges, proved, longest }
     }
 
-    /// The threshold between two step sizes, s, with different stability, by bisection.
+    /// The threshold between two step sizes (s) with different stability, by bisection.
     fn edge(&self, splitting: Splitting, (from, below): &(f64, Own), (to, _): &(f64, Own)) -> f64 {
         let (mut low, mut high) = (*from, *to);
         for _ in 0..HALVINGS {
@@ -180,7 +181,7 @@ impl Own {
 }
 
 impl Provable {
-    /// The verdicts for all step sizes between two, s, and at the requested ones, ascending.
+    /// The verdicts for all step sizes in an interval (s), and at the requested ascending ones.
     fn course(&self, splitting: Splitting, ends: [f64; 2], steps: &[f64]) -> Proved {
         match self {
             Provable::Resting(resting) => resting.course(splitting, ends),
@@ -189,7 +190,7 @@ impl Provable {
     }
 }
 
-/// Bisections of a bracket.
+/// The number of bisections of a bracket.
 const HALVINGS: usize = 16;
 /// The derivative of a step, restricted to the space that columns span.
 fn derivative(
@@ -213,7 +214,7 @@ fn derivative(
     Some(surface.transpose() * whole * surface)
 }
 
-/// One step.
+/// The state after one step.
 fn after(map: &mut dyn Composed<DoubleDouble>, from: &[DoubleDouble]) -> Option<Vec<DoubleDouble>> {
     map.enter(from);
     let mut end = from.to_vec();

@@ -1,9 +1,9 @@
-//! Proved stability of a splitting for all step sizes of an interval, by subdivision.
+//! Proved stability of a splitting for all step sizes of an interval, by bisection.
 //!
-//! An interval of step sizes is judged as a whole, and halved where the verdict is open. A narrow interval that is still open
-//! contains a threshold, or touches one, and stays open.
+//! An interval of step sizes is judged as a whole, and bisected where this is undecided. A narrow undecided interval
+//! contains a threshold, or is adjacent to one.
 
-/// An interval of step sizes, s, and whether the one-step map is unstable at each of them: `None` where that is open.
+/// An interval of step sizes, s, and whether the one-step map is unstable for all of them: `None` if undecided.
 pub type StepRange = (f64, f64, Option<bool>);
 
 /// The proved verdicts for all step sizes of an interval.
@@ -13,7 +13,7 @@ pub struct Proved {
     pub stretches: Vec<StepRange>,
     /// The intervals in which no fixed point of the splitting could be enclosed.
     pub lost: Vec<(f64, f64)>,
-    /// Single step sizes, s, within open intervals, and whether the map is unstable there.
+    /// Single step sizes, s, within undecided intervals, and whether the map is unstable there.
     pub alone: Vec<(f64, bool)>,
     /// The number of intervals that were judged.
     pub looked: usize,
@@ -23,32 +23,32 @@ pub struct Proved {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Found {
     Grows(bool),
-    /// A sign stays open.
+    /// A sign is undecided.
     Open,
     /// No fixed point of the splitting is enclosed.
     Lost,
 }
 
-/// The limits of subdivision.
+/// The limits of bisection.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits {
-    /// The least relative width of intervals with an open sign.
+    /// The smallest relative width of intervals with an undecided sign.
     pub sign: f64,
-    /// The least relative width of intervals without an enclosed fixed point.
+    /// The smallest relative width of intervals without an enclosed fixed point.
     pub motion: f64,
-    /// The greatest number of intervals that are judged; the rest stays open.
+    /// The largest number of intervals that are judged; the rest stays undecided.
     pub most: usize,
 }
 
-/// Thresholds known to this relative width are given by one number.
+/// Thresholds known to this relative width are displayed as one number.
 const SHARP: f64 = 3e-5;
 
 impl Proved {
-    /// The verdicts by subdivision, with `look` as the verdict on an interval.
+    /// The verdicts by bisection, with `look` as the verdict on an interval.
     pub(super) fn by(look: impl Fn([f64; 2]) -> Found, [from, to]: [f64; 2], limits: Limits) -> Self {
         let known = |low: f64, high: f64| (low, high, look([low, high]));
         let (mut all, mut looked) = (vec![known(from, to)], 1);
-        // level by level: an interval that no halving decides must not use up the budget of the others
+        // level by level: an interval that no bisection decides must not use up the budget of the others
         while looked < limits.most {
             let open = |low: f64, high: f64, found: Found| match found {
                 Found::Grows(_) => false,
@@ -106,7 +106,7 @@ impl Proved {
         between.map(|three| (0.5 * (three[1].0 + three[1].1), three[1].1 - three[1].0)).collect()
     }
 
-    /// The open intervals, s, without those that enclose thresholds.
+    /// The undecided intervals, s, without those that enclose thresholds.
     pub fn open(&self) -> Vec<[f64; 2]> {
         let edges = self.edges();
         let open = self

@@ -1,8 +1,9 @@
 //! The sub-flows of a motor on its bench near its steady angle: symbolic derivatives of the flows.
 //!
-//! The flows that run are evaluated over tangents of expressions. Windings with one decay rate act through one unknown,
-//! q = sum psi_k' c_k / L_k. The deviations (g, p, q_1, q_2, ..) therefore form an invariant space, which is decided exactly; all
-//! other deviations of the fluxes decay. Where every sub-flow rests, the linearised step is the product of these matrices.
+//! The integrator's flows are evaluated over tangents of expressions. Windings with equal decay rates act through one
+//! unknown, q = sum psi_k' c_k / L_k. The deviations (g, p, q_1, q_2, ..) therefore form an invariant space, which is
+//! verified exactly; all other deviations of the fluxes decay. If the state is an equilibrium of every sub-flow, the
+//! linearised step is the product of these matrices.
 
 use super::multipliers::Matrix;
 use super::symbolic_linearisation::keeps_energy;
@@ -17,9 +18,9 @@ use symbolic::{Formulas, Hypotheses, Sym, decide, normal};
 #[derive(Clone, Debug)]
 pub(super) struct Piece {
     size: usize,
-    /// The entries in cos g, sin g, the length t, and the decays.
+    /// The entries as functions of cos g, sin g, the time t, and the decays.
     entries: Formulas,
-    /// (a, b) of each (exp(-a t) - exp(-b t))/((b - a) t), 1/s.
+    /// The rates (a, b), 1/s, of each quotient (exp(-a t) - exp(-b t))/((b - a) t).
     decays: Vec<[Rational; 2]>,
 }
 
@@ -37,8 +38,8 @@ impl Piece {
     }
 }
 
-/// Kick and drift of a motor with an angle and a torque that is linear in the slip, on a bench with the moment of inertia A',
-/// kg m^2, and whether the motor is without dissipation; `None` for other motors.
+/// The kick and the drift of a motor with an angle and a torque linear in the slip, on a bench with the moment of
+/// inertia A' (kg m^2), and whether the motor has no dissipation; `None` for other motors.
 pub(super) fn pieces(motor: &Motor, axial: f64) -> Option<([Piece; 2], bool)> {
     let machine = motor.decimals();
     let slip = Sym::symbol("s");
@@ -51,7 +52,7 @@ pub(super) fn pieces(motor: &Motor, axial: f64) -> Option<([Piece; 2], bool)> {
     let t = Sym::symbol("t");
     let flows = BenchFlows { axial: Tangent::fixed(near.axial), frame_speed: Tangent::lift(machine.frame_speed()) };
     let decays: RefCell<Vec<([Rational; 2], Sym)>> = RefCell::default();
-    // a rate that is not a constant fraction has no decay here
+    // a rate that is no constant fraction has no decay here
     let quotient = |a: Tangent<Sym>, b: Tangent<Sym>| {
         let rate = |x: Tangent<Sym>| constant(x.value.diff(t)).unwrap_or(Rational::UNDEFINED);
         let (rates, mut known) = ([rate(a), rate(b)], decays.borrow_mut());
@@ -73,12 +74,12 @@ pub(super) fn pieces(motor: &Motor, axial: f64) -> Option<([Piece; 2], bool)> {
     Some((pieces, keeps_energy(&machine)))
 }
 
-/// The equilibrium, and the data of the deviations from it.
+/// The equilibrium, and the data of deviations from it.
 struct Near {
     axial: Sym,
-    /// g, p and the fluxes at rest.
+    /// g, p and the fluxes at the equilibrium.
     rest: Point<Sym>,
-    /// The share of each flux in the unknown of its group, psi_k'/L_k, by group.
+    /// The coefficient of each flux in the unknown of its group, psi_k'/L_k, by group.
     shares: Vec<Vec<Sym>>,
     /// sum psi_k'^2/L_k of each group, and psi_k'.
     strengths: Vec<Sym>,
@@ -110,7 +111,7 @@ impl Near {
         Some(Near { axial, rest, shares, strengths, slopes: linked.iter().map(|psi| psi.slope).collect() })
     }
 
-    /// The matrix of a flow on deviations, row after row; `None` where a single flux acts by more than its share of q.
+    /// The matrix of a flow for deviations, row by row; `None` where a flux acts other than through q.
     fn matrix(&self, flow: impl Fn(&mut Point<Tangent<Sym>>)) -> Option<Vec<Vec<Sym>>> {
         let after = |moved: &Point<Sym>| {
             let each = self.rest.fluxes.iter().zip(&moved.fluxes).map(|(value, slope)| Tangent::moving(*value, *slope));
@@ -132,7 +133,7 @@ impl Near {
         };
         let mut columns = vec![after(&unit(0)), after(&unit(1))];
         for (group, strength) in self.strengths.iter().enumerate() {
-            // a unit of q, distributed over the windings by their slopes
+            // q = 1, distributed over the windings by their slopes
             let of = |(share, slope): (&Sym, &Sym)| if share.is_zero() { Sym::ZERO } else { *slope / *strength };
             let fluxes = self.shares[group].iter().zip(&self.slopes).map(of).collect();
             let column = after(&Point { angle: Sym::ZERO, momentum: Sym::ZERO, fluxes });

@@ -9,7 +9,7 @@ use super::threshold_run_length::Crossing;
 use crate::scene::Scene;
 use integrators::Splitting;
 
-/// Scenes by the names of their files, with the angular velocity of their motions about the vertical, rad/s.
+/// Scenes by file name, with the angular velocity of their motions about the vertical, rad/s.
 pub const SCENES: [(&str, f64); 3] = [("permanent_rotation", 6.0), ("hanging_rest", 0.0), ("bench", 0.0)];
 
 /// One motion.
@@ -24,29 +24,30 @@ pub struct Surveyed {
     pub splittings: Vec<Split>,
 }
 
-/// A Runge-Kutta method with its thresholds, s, exactly and by runs; `None` where no run can measure them.
+/// A Runge-Kutta method with its thresholds (s), exactly and by runs; `None` where no run can measure them.
 #[derive(Clone, Debug)]
 pub struct Method {
     pub row: Row,
     pub edges: Vec<(f64, Option<f64>)>,
 }
 
-/// A splitting with its thresholds, s, by the derivative of its step and, where its fixed point is the law's, by runs.
+/// A splitting with its thresholds (s), by the derivative of its step and, if its fixed point is the law's motion, by
+/// runs.
 #[derive(Clone, Debug)]
 pub struct Split {
     pub tested: Tested,
     pub edges: Vec<(f64, Option<f64>)>,
 }
 
-/// Step sizes at which splittings are tested, s: eight per decade.
+/// The step sizes at which splittings are tested, s: eight per decade.
 pub fn steps() -> Vec<f64> {
     (-24..=0).map(|k| 10f64.powf(f64::from(k) / 8.0)).collect()
 }
 
-/// The motions of a scene: on a bench all, otherwise those whose rotor has a restoring torque.
+/// The motions of a scene: on a bench all of them, otherwise those with a restoring torque on the rotor.
 ///
 /// # Errors
-/// The reason for which no motions are known, in words.
+/// The reason why no motions are known, in words.
 pub fn survey(scene: &Scene, w: f64) -> Result<Vec<Surveyed>, String> {
     let chart = Chart::of(scene, w).map_err(|reason| reason.to_string())?;
     let shown = chart

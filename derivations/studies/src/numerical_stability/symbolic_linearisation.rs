@@ -1,4 +1,4 @@
-//! The symbolic matrix of the linearised motion near any stationary one, by differentiation of the law.
+//! The symbolic matrix of the linearised motion near any steady one, by differentiation of the law.
 
 use super::linear::{Linearised, NoLinear};
 use crate::scene::Setup;
@@ -11,10 +11,10 @@ use nalgebra::Vector3;
 use symbolic::{Hypotheses, Sym, decide, substitute_all};
 use systems::gyrostat::{Gyrostat, MotionInstant};
 
-/// Windings with one decay rate R/L.
+/// Windings with equal decay rates R/L.
 struct Group {
     decay: Rational,
-    /// The sum of psi_k'^2 / L_k, by which the rate of their torque depends on the slip.
+    /// The sum of psi_k'^2 / L_k: the dependence of the rate of their torque on the slip.
     strength: Sym,
     count: usize,
 }
@@ -29,7 +29,7 @@ pub(super) fn linearised(system: &Setup, motor: &Motor, free: bool) -> Result<Li
     let angle = if known == RotorState::AngleAndSpeed { g.circle() } else { Circle::zero() };
     let fed = is_fed(&machine);
     let groups = if fed { Vec::new() } else { windings(&machine, angle, slip)? };
-    // with a supply the currents are states with steady values at the motion; the others are zero there
+    // with a supply the currents are states with steady values at the motion; otherwise they are zero there
     let resting = if fed { steady_currents(&machine, angle, slip) } else { Some(Vec::new()) };
     let resting = resting.ok_or(NoLinear::Motor(NoMotor::NoRest))?;
     let own: Vec<Sym> = (0..resting.len()).map(|k| Sym::symbol(&format!("i{k}"))).collect();
@@ -134,7 +134,7 @@ fn carrier(
         torque,
     });
     let solved = match rotor {
-        // the rotor's own equation gives the torque that keeps its speed
+        // the rotor's own equation gives the torque that maintains its speed
         RotorState::Prescribed => {
             let inverse = inverse(std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i])))?;
             let [x, y, z] = solved(&inverse, &[missing[0], missing[1], missing[2]]);
@@ -164,7 +164,7 @@ fn solved<const N: usize>(inverse: &[[Rational; N]; N], missing: &[Sym; N]) -> [
     })
 }
 
-/// The Jacobian of the rates, bordered by the windings' shares of the torque.
+/// The Jacobian of the rates, bordered by the torque contributions of the windings.
 fn matrix(states: &[Sym], rates: &[Sym], share: Sym, slip: Sym, groups: &[Group]) -> Vec<Vec<Sym>> {
     let of_rate = |rate: &Sym| {
         let own = states.iter().map(|state| rate.diff(*state));

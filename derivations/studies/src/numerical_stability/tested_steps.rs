@@ -12,19 +12,19 @@ pub struct Tested {
     pub splitting: Splitting,
     /// The fixed points, each with its step size, s, ascending.
     pub own: Vec<(f64, Own)>,
-    /// Whether the map is unstable, at each requested step size, s; `None` where no step is taken, or no fixed point
-    /// is found.
+    /// Whether the map is unstable for each requested step size, s; `None` where a step fails or no fixed point is
+    /// found.
     pub grows: Vec<(f64, Option<bool>)>,
-    /// The thresholds between them, s: by the proof where there is one.
+    /// The thresholds between them, s: from the proof if there is one.
     pub edges: Vec<f64>,
-    /// The proved verdicts for all step sizes between the first and the last, or the reason for which there is no proof.
+    /// The proved verdicts for all step sizes between the first and the last, or the reason why there is no proof.
     pub proved: Result<Proved, Unproved>,
-    /// The longest step that the program allows, s; zero where the law has no splitting.
+    /// The longest accepted step, s; zero if the law has no splitting.
     pub longest: f64,
 }
 
 impl Tested {
-    /// The results in a line.
+    /// The results in one line.
     pub fn told(&self) -> String {
         if self.longest == 0.0 {
             return format!("there is none, since {}", Unproved::Fed);
@@ -52,7 +52,7 @@ impl Tested {
         }
     }
 
-    /// The test results on an interval that the proof leaves open, in words.
+    /// The test results in an interval that the proof leaves undecided, in words.
     fn tested_alone(&self, proved: &Proved, [low, high]: [f64; 2]) -> String {
         let inside = self.grows.iter().filter(|(step, _)| (low..=high).contains(step));
         let seen: Vec<(f64, bool)> = inside.filter_map(|(step, grows)| Some((*step, (*grows)?))).collect();
@@ -77,7 +77,7 @@ impl Tested {
         before(&self.own, step)
     }
 
-    /// Whether a step size, s, is refused because negative sub-steps would amplify decaying parts.
+    /// Whether a step size (s) is rejected because negative sub-steps would amplify decaying components.
     pub fn refuses(&self, step: f64) -> bool {
         step > self.longest
     }

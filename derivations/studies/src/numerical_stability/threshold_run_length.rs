@@ -1,23 +1,23 @@
-//! The length of run that distinguishes a step size just below a stability threshold from one just above it.
+//! The length of a run that distinguishes a step size just below a stability threshold from one just above it.
 //!
-//! At the threshold the multiplier of one mode is on the unit circle. At a relative distance e from the threshold this mode
-//! grows, or decays, by d = e |d ln|R|/d ln h| a step; the slowest of the others decays by b. Runs begin along the mode, where
-//! the others are no larger, and a run of N steps shows the mode if
+//! At the threshold the multiplier of one mode is on the unit circle. At a relative distance e from the threshold this
+//! mode grows or decays by d = e |d ln|R|/d ln h| per step; the slowest other mode decays by b. Runs begin along the
+//! mode, where the others are no larger. A run of N steps shows the mode if
 //!
 //!   d exp(d N) > b exp(-b N) :   N > ln(b/d)/(b + d) ,
 //!
-//! and two neighbouring intervals of N/10 steps differ by more than the error of sampled maxima, a few parts in a
-//! thousand, if d N/10 and b N/10 are above a hundredth. Where that takes too many steps no run is made.
+//! and two adjacent intervals of N/10 steps differ by more than the error of sampled maxima, a few parts in a thousand,
+//! if d N/10 and b N/10 are above a hundredth. If this takes too many steps no run is made.
 
 use super::methods::OneStep;
 use mechanics::one_step_stability::Spectrum;
 
-/// Growth and decay of a motion's modes in a step at a threshold.
+/// The growth and decay of a motion's modes per step at a threshold.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
-    /// |d ln|R|/d ln h| of the mode that crosses the unit circle.
+    /// The derivative |d ln|R|/d ln h| of the mode that crosses the unit circle.
     pub steepness: f64,
-    /// The decrease of the logarithm of the slowest other mode in a step.
+    /// The decrease per step of the logarithm of the slowest other mode.
     pub rest: f64,
 }
 
@@ -45,8 +45,8 @@ impl Crossing {
         Some(Crossing { steepness: slope.abs(), rest })
     }
 
-    /// The number of steps of a run that resolves a relative distance `apart` from the threshold; `None` where it would be too long,
-    /// or another mode does not decay.
+    /// The number of steps of a run that resolves a relative distance `apart` from the threshold; `None` where it would
+    /// be too long, or another mode does not decay.
     pub fn steps(&self, apart: f64) -> Option<usize> {
         let (growth, rest) = (apart * self.steepness, self.rest);
         if !(growth > 0.0 && rest > 0.0) {
@@ -59,7 +59,7 @@ impl Crossing {
     }
 }
 
-/// The number of intervals into which a run is cut.
+/// The number of intervals into which a run is divided.
 pub const INTERVALS: f64 = 10.0;
 
 #[cfg(test)]

@@ -1,4 +1,5 @@
-//! Maps over angle and friction of the states with exactly one motion, decided state by state, beside the exact critical curve.
+//! Maps over angle and friction of the states with exactly one motion, decided state by state, with the exact critical
+//! curve.
 
 use super::critical::{rod, two_masses};
 use field::Circle;
@@ -10,10 +11,10 @@ use systems::ladder::Ladder;
 use systems::rod::Rod;
 use systems::slender_rod::SlenderRod;
 
-/// The motions that a state admits.
+/// The number and kind of motions of a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// One motion, in touch.
+    /// One motion, with closed contacts.
     Slides,
     /// One motion, in which a contact opens.
     Leaves,
@@ -48,14 +49,14 @@ pub struct Map {
     pub title: &'static str,
     pub angle: &'static str,
     pub most_friction: f64,
-    /// Rows from the lowest friction, each over all angles, at the middle of the cells.
+    /// Rows from the lowest friction, each over all angles, at the centres of the cells.
     pub rows: Vec<Vec<Kind>>,
-    /// The exact critical friction against the angle in degrees.
+    /// The exact critical friction as a function of the angle in degrees.
     pub curve: Vec<(f64, f64)>,
     /// The minimum of `curve`: angle in degrees, friction, and both in closed form.
     pub least: (f64, f64, &'static str),
-    /// The largest distance between `curve` and the boundary by the decisions alone, where a single contact
-    /// decides.
+    /// The largest distance between `curve` and the boundary by the decisions alone, where a single contact is
+    /// decisive.
     pub distance: f64,
     pub note: &'static str,
 }
@@ -71,7 +72,7 @@ pub fn maps() -> Vec<Map> {
             "angle from the line to the rod, degrees",
             |angle, f| {
                 let data = Rod { guided: 1.0, free: 1.0, length: 1.0, gravity: 1.0, friction: f, sides: Sides::One };
-                // above the line, which is y < 0 there
+                // above the curve, which is y < 0 there
                 let spin = 2.4_f64.sqrt();
                 let place = [0.0, 0.0, angle.cos, -angle.sin];
                 let velocity = [-1.0, 0.0, -1.0 + spin * angle.sin, spin * angle.cos];
@@ -127,7 +128,7 @@ fn ladder(Circle { cos, sin }: Circle<f64>, f: f64, spin: f64) -> Kind {
     kind::<_, 2>(&data, [sin, cos, cos, sin], [spin * cos, -spin * sin, -spin * sin, spin * cos])
 }
 
-/// `bounded`: the value of the critical curve up to which it is the boundary under this load.
+/// A map; `bounded` is the value of the critical curve up to which it is the boundary under this load.
 fn map(
     title: &'static str,
     angle: &'static str,
@@ -165,7 +166,7 @@ fn map(
     }
 }
 
-/// The value at which a condition ceases to hold, by bisection.
+/// The value at which a condition becomes false, by bisection.
 fn boundary(holds: impl Fn(f64) -> bool, most: f64) -> f64 {
     let (mut low, mut high) = (0.0, most);
     loop {

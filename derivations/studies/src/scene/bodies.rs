@@ -37,7 +37,7 @@ pub fn gyrostat(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Gyrostat
         },
         gravity: gravity.value,
     };
-    // wrong data have been replaced: a judgement on the bodies would be meaningless
+    // after invalid data a judgement on the bodies would be meaningless
     if !complete || !issues.is_empty() || top.has_issues() {
         return None;
     }
@@ -86,7 +86,7 @@ pub fn bench(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<f64> {
     sound.then_some(axial.value)
 }
 
-/// The places in the file of the data that the conditions concern.
+/// The positions in the file of the data of the conditions.
 struct Places {
     /// The datum with the largest number.
     largest: Range<usize>,
@@ -140,7 +140,7 @@ impl Places {
     }
 }
 
-/// The hint with the unit vector that would be accepted in place of another.
+/// The hint with the accepted unit vector in the direction of another vector.
 pub fn normalised(vector: &Vector3<f64>) -> String {
     match vector.try_normalize(0.0).filter(|unit| unit.iter().all(|x| x.is_finite())) {
         Some(unit) => format!("accepted in this direction: \"{} {} {}\"", unit.x, unit.y, unit.z),

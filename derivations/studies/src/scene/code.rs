@@ -1,4 +1,4 @@
-//! A scene's right-hand side and Jacobian as straight-line programs, for code in other languages.
+//! A scene's right-hand side and Jacobian as straight-line programs, for export to other languages.
 
 use super::{Scene, Setup};
 use motor::Bench;
@@ -15,7 +15,7 @@ impl Scene {
         self.read(axes, |TracedOde { state, rates, .. }| Tape::record(state, rates))
     }
 
-    /// The tape of the Jacobian of the rates, row after row, by exact differentiation of the recorded expressions.
+    /// The tape of the Jacobian of the rates, row by row, by exact differentiation of the recorded expressions.
     ///
     /// # Errors
     /// As [`Scene::tape`].

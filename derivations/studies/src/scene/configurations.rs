@@ -48,8 +48,8 @@ impl Scene {
         ]
     }
 
-    /// Angular velocity and vertical, each relative to the size of the vector; rotor angle and slip, where the model has
-    /// them. The rotor's speed stands for the slip: every model has it, and they differ by a constant.
+    /// Angular velocity and vertical, each relative to the size of the vector; rotor angle and slip, if the model has
+    /// them. The rotor's speed represents the slip: every model has it, and they differ by a constant.
     pub(super) fn observables(&self, reference: &Reference) -> Vec<Observed> {
         let names = self.names();
         let size_of = |wanted: &str| {

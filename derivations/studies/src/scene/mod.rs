@@ -40,11 +40,11 @@ pub enum Setup {
 #[derive(Clone, Debug)]
 pub struct Scene {
     pub title: String,
-    /// The motion in words, and its difficulty for a method.
+    /// A description of the motion, and its difficulty for a method.
     pub description: String,
     pub system: Setup,
     pub machine: Motor,
-    /// The machine with the data that were given, from which other motor models can be made.
+    /// The machine with all given data, from which other motor models can be made.
     pub given: Motor,
     pub start: Start,
     pub run: Run,

@@ -1,7 +1,7 @@
 //! Scenes with a motor as models: carrier and rotor as bodies, the motor as a drive between them.
 //!
-//! The law that runs has only the vertical of the carrier's orientation, and the rotor's angle from the field; the model has a free
-//! frame and the charges of the windings. Commands on equations take the model.
+//! The integrated law has only the vertical of the carrier's orientation, and the rotor's angle from the field; the
+//! model has a free frame and the charges of the windings. Commands on equations use the model.
 
 use super::{bodies, start};
 use model::{BodySource, ConstraintSource, DriveSource, Entry, InertiaSource, Source, Text};
@@ -13,7 +13,7 @@ use systems::gyrostat::Gyrostat;
 submit! { NamedSystem { name: "gyrostat", summary: "a heavy gyrostat with a fixed point and a motor that drives its rotor", runs: false, source: gyrostat } }
 submit! { NamedSystem { name: "bench", summary: "a motor alone, its housing at rest", runs: false, source: bench } }
 
-/// The drive, whose motor's letters are `motor.angle`, `motor.speed`, `motor.x`.
+/// The name of the drive, whose symbols are `motor.angle`, `motor.speed`, `motor.x`.
 const DRIVE: &str = "motor";
 
 fn gyrostat(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Source> {

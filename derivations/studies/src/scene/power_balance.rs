@@ -1,4 +1,5 @@
-//! Scenes with a motor whose supply is metered: the work of the supply is a state, and the power balance an invariant of the run.
+//! Scenes with a motor with a supply: the work of the supply is an additional state, and the power balance an invariant
+//! of the run.
 
 use super::{Scene, Setup};
 use motor::{Bench, Powered, WithSuppliedWork, is_fed};
@@ -9,7 +10,7 @@ use std::sync::Arc;
 use systems::gyrostat::driven::Driven;
 
 impl Scene {
-    /// The problem in the axes of a form. If a supply feeds the machine, the last state is the work on E - W p, and the
+    /// The problem in the axes of a form. If the machine has a supply, the last state is the work on E - W p, and the
     /// balance of both is one of the invariants.
     pub fn metered(&self, axes: Axes) -> Problem {
         let plain = self.problem(axes);
@@ -35,7 +36,7 @@ impl Scene {
         Problem { law, state, metered: 1, span, invariants, residual: None, columns, row, margins, switching: None }
     }
 
-    /// The law with the work of the supply as a state, and the balance; `None` where no supply feeds the machine.
+    /// The law with the work of the supply as a state, and the balance; `None` if the machine has no supply.
     fn fed(&self, axes: Axes) -> Option<(Arc<dyn Law>, Invariant)> {
         let machine = self.machine.clone();
         is_fed(&machine).then(|| match (&self.system, axes) {

@@ -1,4 +1,4 @@
-//! Warnings on a run: torque laws that brake in one direction and drive in the other.
+//! Warnings on a run: torque laws that brake in one direction and accelerate in the other.
 
 use super::Scene;
 use super::state::ROTOR_SPEED;
@@ -6,7 +6,8 @@ use motor::{Driven, runaway};
 use simulation::Trajectory;
 
 impl Scene {
-    /// Warnings where the torque law drives the rotor ever harder in a direction; each says whether the run reaches these speeds.
+    /// Warnings for torque laws that accelerate the rotor increasingly in a direction; each states whether the run
+    /// reaches these speeds.
     pub(super) fn runs_away(&self, trajectory: &Trajectory) -> impl Iterator<Item = String> + use<> {
         let column = trajectory.column(ROTOR_SPEED);
         let rows: Vec<f64> =

@@ -1,4 +1,4 @@
-//! A scene with a motor as one initial value problem.
+//! A scene with a motor as an initial value problem.
 
 use super::Scene;
 use integrators::{Method, Reference};
@@ -9,7 +9,7 @@ use simulation::{Axes, Choice, IvpScene, Problem, Run, RunNotes, Trajectory};
 use std::borrow::Cow;
 
 impl Scene {
-    /// The method, tolerance and outputs that the scene asks for.
+    /// The method, tolerance and outputs of the scene.
     pub fn choice(&self) -> Choice {
         self.run.choice()
     }

@@ -51,7 +51,7 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, on_bench: bool, machin
     })
 }
 
-/// Reads the currents: one for each winding, or none where all are zero.
+/// Reads the currents: one for each winding, or none if all are zero.
 fn currents(table: &mut Table<'_>, machine: Option<&Motor>) -> Vec<f64> {
     let meaning =
         "row of currents, one for each winding, in the order of the states; of an excitation less its constant part";
@@ -92,7 +92,7 @@ fn rotor_speed(table: &mut Table<'_>, machine: Option<&Motor>) -> f64 {
 }
 
 impl super::Scene {
-    /// Whether the machine prescribes the rotor's speed, whatever torque that takes.
+    /// Whether the machine prescribes the rotor's speed.
     pub(super) fn keeps_speed(&self) -> bool {
         self.machine.prescribed_speed().is_some()
     }

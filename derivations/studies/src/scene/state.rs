@@ -7,7 +7,7 @@ use simulation::Axes;
 use systems::gyrostat::Gyrostat;
 use systems::gyrostat::tensors::Principal;
 
-/// The output with the rotor's relative speed, present whatever the state holds.
+/// The name of the output with the rotor's relative speed, which every run has.
 pub const ROTOR_SPEED: &str = "rotor_speed";
 
 /// The principal axes of the form's tensor: A for the first form, A* for the second.
@@ -31,8 +31,8 @@ impl Scene {
         state
     }
 
-    /// Transforms w and v of a state from the axes of a form to the axes of the data, in which results of both forms can be
-    /// compared.
+    /// Transforms w and v of a state from the axes of a form to the axes of the data, in which results of both forms
+    /// are comparable.
     pub fn back(&self, axes: Axes) -> impl Fn(&mut [f64]) + use<> {
         let frame = matches!(self.system, Setup::Gyrostat(_)).then(|| self.frame(axes));
         move |state| {
@@ -49,7 +49,7 @@ impl Scene {
         names(self.on_bench(), &self.machine)
     }
 
-    /// The unit of a column of a run, by its name: a winding's current may have any.
+    /// The unit of a column of a run, by its name; currents of windings may have any name.
     pub fn unit(&self, name: &str) -> &'static str {
         let own = state_names(&self.machine);
         let currents = own.len() - self.machine.windings();
@@ -61,7 +61,10 @@ impl Scene {
         matches!(self.system, Setup::Bench { .. })
     }
 
-    /// The scene with another motor model made of the given data.
+    /// The scene with another motor model made from the given data.
+    ///
+    /// # Errors
+    /// [`NoModel`] where the model cannot be made.
     pub fn with_model(&self, model: &str) -> Result<Scene, NoModel> {
         let machine = self.given.model(model)?;
         let (given, windings) = (self.start.currents.len(), machine.windings());
@@ -77,7 +80,8 @@ impl Scene {
         Ok(scene)
     }
 
-    /// The map from a state in the axes of a form to a row of outputs: the state in the axes of the data, and the rotor's speed.
+    /// The map from a state in the axes of a form to a row of outputs: the state in the axes of the data, and the
+    /// rotor's speed.
     pub(super) fn row(&self, axes: Axes) -> impl Fn(f64, &[f64]) -> Vec<f64> + use<> {
         let back = self.back(axes);
         let frame_speed = self.machine.frame_speed();

@@ -1,28 +1,29 @@
-//! Least and greatest stability limit of Euler's step size on the drive's circuit, along a whole motion.
+//! Smallest and largest stability limit of the step size of Euler's method for the drive's circuit, along a whole
+//! motion.
 //!
-//! The limit at an instant depends on the diodes, whose knees are passed in milliseconds. It is evaluated at every step of a
-//! method of order 5 and at `INSTANTS` more; near the least and the greatest found it is refined by golden section search.
+//! The limit at a time depends on the diodes, whose knees are passed in milliseconds. It is evaluated at every step of
+//! a method of order 5 and at `INSTANTS` further times; near the extrema it is refined by golden section search.
 
 use super::drive_law::{Seven, bearable_step};
 use integrators::{Failure, Method, Observer, Span, System, Tolerance, integrate};
 use simulation::CompiledLaw;
 
-/// Instants at which the limit is evaluated, besides the steps of the method.
+/// The number of times at which the limit is evaluated, besides the steps of the method.
 const INSTANTS: usize = 4000;
 
 /// The number of local extrema that are refined.
 const SEARCHED: usize = 6;
 
-/// Golden sections: they shrink an interval to a millionth.
+/// The number of golden sections: they reduce an interval to a millionth.
 const SECTIONS: usize = 30;
 
 const METHOD: Method = Method::RadauIIA { stages: 3 };
 const TOLERANCE: f64 = 1e-8;
 
-/// Evaluations for the whole motion: a stiff circuit takes some hundred thousands.
+/// The budget of evaluations for the whole motion: a stiff circuit takes some hundred thousands.
 const EVALUATIONS: u64 = 1_000_000;
 
-/// The motion with the stability limit of the step size at each instant.
+/// The motion with the stability limit of the step size at each time.
 struct Course<'a> {
     law: &'a CompiledLaw,
     points: Vec<Point>,
@@ -52,10 +53,11 @@ impl Observer<f64> for Course<'_> {
     }
 }
 
-/// The least and the greatest stability limit of Euler's step size, s, along the motion from a start to a time, s.
+/// The smallest and the largest stability limit (s) of Euler's step size along the motion from a start to the time
+/// `end` (s).
 ///
 /// # Errors
-/// The failure of the motion's run, which has a million evaluations.
+/// [`Failure`] of the run, which may use a million evaluations.
 pub fn bearable_steps(law: &Seven, start: &[f64], end: f64) -> Result<[f64; 2], Failure> {
     let mut span = Span::new(0.0, end, start).with_even_outputs(INSTANTS).with_evaluations(EVALUATIONS);
     span.outputs.insert(0, 0.0);
@@ -67,13 +69,13 @@ pub fn bearable_steps(law: &Seven, start: &[f64], end: f64) -> Result<[f64; 2], 
     }
 }
 
-/// The stability limit at an instant, s; NaN for a law without Jacobian.
+/// The stability limit at a time, s; NaN for a law without Jacobian.
 fn step_at(law: &CompiledLaw, time: f64, state: &[f64]) -> f64 {
     law.jacobian_fn().map_or(f64::NAN, |mut slopes| bearable_step(&mut *slopes, time, state))
 }
 
 impl Course<'_> {
-    /// The greatest value of a function of the limit, refined near the greatest local maxima.
+    /// The largest value of a function of the limit, refined near the largest local maxima.
     fn greatest(&self, of: impl Fn(f64) -> f64) -> f64 {
         let value = |k: usize| of(self.points[k].step);
         let last = self.points.len() - 1;
@@ -84,7 +86,7 @@ impl Course<'_> {
         searched.chain(peaks.first().map(|&k| value(k))).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// The greatest value between two points, by golden section search.
+    /// The largest value between two points, by golden section search.
     fn about(&self, [begin, end]: [usize; 2], of: &impl Fn(f64) -> f64) -> f64 {
         let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
         let (mut low, mut high) = (self.points[begin].time, self.points[end].time);

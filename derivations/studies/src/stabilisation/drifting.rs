@@ -1,8 +1,8 @@
-//! A monitor of drift-off from a constraint f = 0 after index reduction to f'' = 0.
+//! A monitor of drift off a constraint f = 0 after index reduction to f'' = 0.
 //!
-//! With f'' = 0 each step adds h f' to the violation f, and errors of the method in f' persist. The monitor sums h f' along the
-//! run. If f leaves its bounds and this sum is most of its change, the constraint drifts: gains or a projection are
-//! missing, and a shorter step does not help for long. Otherwise the violation has another cause.
+//! With f'' = 0 each step adds h f' to the violation f, and errors of the method in f' persist. The monitor sums h f'
+//! along the run. If f leaves its bounds and this sum is most of its change, the constraint drifts: stabilisation or a
+//! projection is missing, and a shorter step does not help for long. Otherwise the violation has another cause.
 
 use integrators::Observer;
 use std::fmt;
@@ -12,18 +12,18 @@ pub struct Drifting<F> {
     violation: F,
     allowed: f64,
     first: f64,
-    /// Time and (f, f') after the step before; `summed` is the sum of h f'.
+    /// The time and (f, f') after the previous step; `summed` is the sum of h f'.
     last: Option<(f64, [f64; 2])>,
     summed: f64,
     pub found: Option<Drift>,
 }
 
-/// A violation out of bounds.
+/// A violation outside its bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drift {
-    /// s
+    /// The time, s.
     pub at: f64,
-    /// f, in its own unit; `come` is its change since the start.
+    /// The residual f, in its own unit; `come` is its change since the start.
     pub violation: f64,
     pub come: f64,
     /// The sum of h f'.
@@ -31,7 +31,7 @@ pub struct Drift {
 }
 
 impl<F: Fn(&[f64]) -> [f64; 2]> Drifting<F> {
-    /// A monitor that starts at a state and allows |f| up to a bound.
+    /// A monitor that begins at a state and allows |f| up to a bound.
     pub fn new(violation: F, (time, start): (f64, &[f64]), allowed: f64) -> Self {
         let [first, rate] = violation(start);
         Drifting { violation, allowed, first, last: Some((time, [first, rate])), summed: 0.0, found: None }
@@ -62,7 +62,7 @@ impl Drift {
         (self.come - self.summed).abs() < 0.5 * self.come.abs()
     }
 
-    /// The name of the failure, without its place.
+    /// The name of the failure, without numbers.
     pub fn name(&self) -> &'static str {
         if self.by_its_rate() { "the constraint drifts" } else { "the constraint is violated" }
     }
@@ -89,7 +89,7 @@ mod tests {
     use super::Drifting;
     use integrators::Observer;
 
-    /// f = 1e-3 t, and f that jumps.
+    /// f = 1e-3 t, and an f that jumps.
     #[test]
     fn what_its_rate_explains_is_a_drift_and_what_comes_at_once_is_none() {
         let mut steady = Drifting::new(|y: &[f64]| [1e-3 * y[0], 1e-3], (0.0, &[0.0]), 5e-4);

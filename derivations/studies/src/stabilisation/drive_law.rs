@@ -1,5 +1,5 @@
-//! The electromechanical drive as an ODE: nine equations with or without stabilisation of the rod's constraint, seven in
-//! coordinates that satisfy it, and the stability limit of Euler's step size.
+//! The electromechanical drive as an ODE: nine equations with or without stabilisation of the rod's constraint; seven
+//! in coordinates that satisfy it; and the stability limit of Euler's step size.
 
 use super::law::Stabilised;
 use field::{Analytic, Over};
@@ -8,21 +8,21 @@ use mechanics::constrained::State;
 use mechanics::constrained::energies::{Kinematics, Reduced};
 use systems::crank_drive::CrankDrive;
 
-/// The unknowns of the nine equations.
+/// The names of the unknowns of the nine equations.
 pub const UNKNOWNS: [&str; 9] = ["f1", "f2", "q3", "f4", "f5", "q6", "f6", "q7", "f7"];
 
-/// The nine equations. Only the charge q3 acts; it stands in the place of q4 with q5 = 0. The multiplier of the rod's
-/// constraint f = 0 is chosen so that f'' = -b f' - k f (Baumgarte).
+/// The nine equations. The charges enter through q3 only; it takes the place of q4, with q5 = 0. The multiplier of the
+/// rod's constraint f = 0 is such that f'' = -b f' - k f (Baumgarte).
 #[derive(Clone, Copy, Debug)]
 pub struct Nine {
     pub drive: CrankDrive<f64>,
-    /// b, 1/s
+    /// The damping gain b, 1/s.
     pub damping: f64,
-    /// k, 1/s^2
+    /// The stiffness gain k, 1/s^2.
     pub stiffness: f64,
 }
 
-/// t, q and q' of the drive at a state of the nine equations.
+/// The time, q and q' of the drive at a state of the nine equations.
 fn instant<S: Over<f64> + Analytic>(time: S, y: &[S]) -> State<S, 6> {
     let none = S::zero();
     State { time, place: [none, none, y[2], none, y[5], y[7]], velocity: [y[0], y[1], y[3], y[4], y[6], y[8]] }
@@ -42,7 +42,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for Nine {
 
 impl System for Nine {}
 
-/// f and f' at a state of the nine equations.
+/// The residuals f and f' at a state of the nine equations.
 pub fn violation(drive: &CrankDrive<f64>, y: &[f64]) -> (f64, f64) {
     let found = Kinematics::of(drive, &instant(0.0, y));
     (found.value[0], found.rate[0])
@@ -71,15 +71,15 @@ impl<S: Over<f64> + Analytic> Ode<S> for Seven {
 impl System for Seven {}
 
 impl Seven {
-    /// The nine unknowns from the seven, with the slider's place and speed added.
+    /// The nine unknowns from the seven, with the slider's position and speed.
     pub fn whole(&self, y: &[f64]) -> [f64; 9] {
         let (q, dq) = Reduced(&self.drive).motion(0.0, [0.0, 0.0, y[2], 0.0, y[5]], [y[0], y[1], y[3], y[4], y[6]]);
         [y[0], y[1], y[2], y[3], y[4], y[5], y[6], q[5], dq[5]]
     }
 }
 
-/// The stability limit of Euler's step size, s, on the five electrical unknowns of the seven, with coefficients frozen at a state:
-/// the longest h for which I + h A has no eigenvalue outside the unit circle.
+/// The stability limit (s) of Euler's step size for the five electrical unknowns of the seven, with coefficients frozen
+/// at a state: the longest h for which I + h A has no eigenvalue outside the unit circle.
 pub fn bearable_step(slopes: &mut dyn JacobianFn, time: f64, y: &[f64]) -> f64 {
     let mut matrix = [0.0; 49];
     slopes.matrix(time, y, &mut matrix);
@@ -88,10 +88,10 @@ pub fn bearable_step(slopes: &mut dyn JacobianFn, time: f64, y: &[f64]) -> f64 {
 
 type Five = [[f64; 5]; 5];
 
-/// Longer steps are not searched, s.
+/// The longest step size that is searched, s.
 const LONGEST: f64 = 1e6;
 
-/// The longest step h, s, for which I + h A has no eigenvalue outside the unit circle, by bisection.
+/// The longest h (s) for which I + h A has no eigenvalue outside the unit circle, by bisection.
 fn longest(matrix: &Five) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     while high < LONGEST && !grows(matrix, high) {

@@ -1,4 +1,5 @@
-//! The experiment with the drive: Euler with the step 0.01 s, with and without stabilisation, and the stability limit of its step.
+//! The experiment with the drive: Euler's method with the step 0.01 s, with and without stabilisation, and its
+//! stability limit.
 
 use super::bearable::bearable_steps;
 use super::drive_law::{Nine, Seven, violation};
@@ -7,12 +8,12 @@ use simulation::CompiledLaw;
 use systems::crank_drive::{Circuit, CrankDrive};
 use systems::crank_slider::CrankSlider;
 
-/// The step of the experiment, s.
+/// The step size of the experiment, s.
 pub const STEP: f64 = 0.01;
 /// The span, s.
 pub const SPAN: f64 = 20.0;
 
-/// A slow drive: its electrical time constants exceed half a step, as the stability of Euler requires.
+/// A slow drive: its electrical time constants exceed half a step, as stability of Euler's method requires.
 pub const DRIVE: CrankDrive<f64> = CrankDrive {
     circuit: Circuit {
         amplitude: 40.0,
@@ -46,7 +47,7 @@ pub fn start() -> [f64; 9] {
 /// The nine unknowns at a time, s.
 pub type Sample = (f64, [f64; 9]);
 
-/// A run: times and states after each step (the first is the start), and why it broke off, if it did.
+/// A run: times and states after each step, beginning with the start, and the failure if it stopped.
 #[derive(Clone, Debug)]
 pub struct Track {
     pub name: String,
@@ -82,11 +83,11 @@ impl Track {
     }
 }
 
-/// The reference motion at equally spaced times, from the seven equations, with the slider's place and speed added;
-/// and the digits to which two methods of different families agree.
+/// The reference motion at equidistant times, from the seven equations, with the slider's position and speed; and the
+/// number of digits on which two methods of different families agree.
 ///
 /// # Errors
-/// The failure of one of the two runs.
+/// [`Failure`] of one of the two runs.
 pub fn exact(outputs: usize) -> Result<(Vec<Sample>, f64), Failure> {
     let y = start();
     let seven = Seven { drive: DRIVE };
@@ -105,14 +106,14 @@ pub fn exact(outputs: usize) -> Result<(Vec<Sample>, f64), Failure> {
     Ok((first.times.iter().copied().zip(first.states.iter().map(|y| seven.whole(y))).collect(), -apart.log10()))
 }
 
-/// Stability limits of Euler's step size, s. By theory: the longest for which I + h A has no eigenvalue outside the unit circle, A the
-/// Jacobian of the circuit's five equations at the instants of the motion. By measurement: the longest with which the
-/// currents of a run stay bounded.
+/// Stability limits of Euler's step size, s. By theory: the longest for which I + h A has no eigenvalue outside the
+/// unit circle, where A is the Jacobian of the circuit's five equations at the times of the motion. By measurement: the
+/// longest for which the currents of a run stay bounded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bearable {
-    /// The least limit over all instants.
+    /// The smallest limit over all times.
     pub least: f64,
-    /// The greatest limit over all instants: longer steps are unstable at every instant.
+    /// The largest limit over all times: longer steps are unstable at every time.
     pub greatest: f64,
     /// The measured limit without stabilisation.
     pub plain: f64,
@@ -123,13 +124,13 @@ pub struct Bearable {
 /// The stability limits of Euler's step size, by theory and by runs.
 ///
 /// # Errors
-/// The failure of the exact motion's run.
+/// [`Failure`] of the reference run.
 pub fn bearable() -> Result<Bearable, Failure> {
     let [least, greatest] = bearable_steps(&Seven { drive: DRIVE }, &start()[..7], SPAN)?;
     Ok(Bearable { least, greatest, plain: measured(0.0, 0.0), stabilised: measured(2.0, 1.0) })
 }
 
-/// The longest step, s, with bounded currents and the gains h b and h^2 k, to a relative accuracy of 1/1000.
+/// The longest step (s) with bounded currents and the gains h b and h^2 k, to a relative accuracy of 1/1000.
 fn measured(beta: f64, kappa: f64) -> f64 {
     let bounded = |steps: u32| {
         let h = SPAN / f64::from(steps);
@@ -144,11 +145,11 @@ fn measured(beta: f64, kappa: f64) -> f64 {
     SPAN / f64::from(enough)
 }
 
-/// A current beyond which a run counts as unbounded, A: the source could drive 40 A through its resistance.
+/// A current above which a run counts as unbounded, A: the source could drive 40 A through its resistance.
 const LOST: f64 = 200.0;
 
-/// The largest damping b, measured by runs, with which the drive's constraint does not drift at the step of the experiment and the
-/// stiffness k; in theory h b = 2 + h^2 k / 2.
+/// The largest damping b, measured by runs, for which the drive's constraint does not drift with the step size of the
+/// experiment and the stiffness k; theoretically h b = 2 + h^2 k / 2.
 pub fn most_damping(stiffness: f64) -> f64 {
     let kept = |damping: f64| {
         let track = run("", |steps| Method::Euler { steps }, STEP, damping, stiffness);

@@ -1,4 +1,5 @@
-//! A constrained system given by energies as an ODE in y = (q, q') with constraint stabilisation, or as a DAE of index 2.
+//! A constrained system given by energies: as an ODE in y = (q, q') with constraint stabilisation, or as a DAE of index
+//! 2.
 
 use field::{Analytic, Over, Scalar};
 use integrators::{Index2Dae, Index2DaeSystem, Ode, System};
@@ -7,18 +8,18 @@ use mechanics::constrained::energies::{Energies, Instant, violation};
 use mechanics::constrained::gear_gupta_leimkuhler::Extended;
 use mechanics::constrained::programmed::{Linear, Programme};
 
-/// f'' = -b f' - k f for each constraint; Lagrange's equations where both are zero.
+/// The equations with f'' = -b f' - k f for each constraint; Lagrange's equations if both gains are zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Stabilised<'a, Q, const N: usize, const C: usize> {
     pub system: &'a Q,
-    /// b, 1/s
+    /// The damping gain b, 1/s.
     pub damping: f64,
-    /// k, 1/s^2
+    /// The stiffness gain k, 1/s^2.
     pub stiffness: f64,
 }
 
 impl<Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> Stabilised<'_, Q, N, C> {
-    /// q'' at an instant; NaN where it is not determined, which every integrator refuses.
+    /// The accelerations q'' in a state; NaN where undetermined, which every integrator rejects.
     pub fn acceleration<S: Over<f64> + Analytic>(&self, at: &State<S, N>) -> [S; N] {
         let programme = Linear::<f64, C> { damping: diagonal(self.damping), stiffness: diagonal(self.stiffness) };
         let instant = Instant::of(self.system, at);
@@ -94,7 +95,7 @@ impl<S: Over<f64> + Analytic, Q: Energies<N, C, Given = f64>, const N: usize, co
 
 impl<Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> Index2DaeSystem for BothHeld<'_, Q, N, C> {}
 
-/// Fills the rates with NaN, which every integrator refuses.
+/// Fills the rates with NaN, which every integrator rejects.
 fn undefined<S: Scalar>(dy: &mut [S]) {
     dy.fill(S::zero() / S::zero());
 }

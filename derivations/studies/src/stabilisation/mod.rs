@@ -1,10 +1,10 @@
-//! Constraint stabilisation under discretisation: stability regions of the gains, errors and cost.
+//! Constraint stabilisation with discretisation: stability regions of the gains, errors and cost.
 //!
 //! # Overview
-//! * [`schemes`]: one step of a method on the equation of a violation, over any field;
-//! * [`drive_law`], [`experiment`]: the electromechanical drive, run;
+//! * [`schemes`]: one step of a method for the equation of a violation, over any scalar type;
+//! * [`drive_law`], [`experiment`]: runs of the electromechanical drive;
 //! * [`drifting`]: a monitor that detects drift of a constraint;
-//! * [`regions`], [`treatments`]: stability maps and comparison of treatments, measured.
+//! * [`regions`], [`treatments`]: stability maps and a comparison of treatments, measured.
 
 pub mod bearable;
 pub mod drifting;

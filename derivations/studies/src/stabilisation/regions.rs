@@ -1,4 +1,5 @@
-//! Maps of the gains for which the violation of a mechanism's constraint decays, measured, beside the exact stability region.
+//! Measured maps of the gains for which the violation of a mechanism's constraint decays, with the exact stability
+//! region.
 
 use super::law::{Stabilised, state};
 use super::schemes::{Scheme, inside_unit_circle};
@@ -9,20 +10,20 @@ use systems::crank_slider::CrankSlider;
 /// The mechanism on which gains and treatments are measured: SI units.
 pub const MECHANISM: CrankSlider<f64> = CrankSlider { inertia: 1.0, mass: 1.0, crank: 0.5, rod: 1.2, weight: 5.0 };
 
-/// The fate of a violation.
+/// The behaviour of a violation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fate {
-    /// Below a millionth of its first size after ten steps.
+    /// Below a millionth of its initial size after ten steps.
     Gone,
     /// Below a thousandth after ten steps.
     Fast,
-    /// Decays more slowly: the last hundred of the steps show less than an earlier hundred.
+    /// Slower decay: the last hundred steps have a smaller maximum than an earlier hundred.
     Decays,
     Grows,
 }
 
 impl Fate {
-    /// All fates, in the order of a legend.
+    /// All behaviours, in the order of a legend.
     pub const ALL: [Fate; 4] = [Fate::Gone, Fate::Fast, Fate::Decays, Fate::Grows];
 
     /// The text in a legend.
@@ -42,26 +43,27 @@ pub struct Map {
     pub scheme: Scheme,
     /// The upper ends of the axes h b and h^2 k.
     pub most: (f64, f64),
-    /// Rows from the lowest h^2 k, each over all h b, at the middle of the cells.
+    /// Rows from the lowest h^2 k, each over all h b, at the centres of the cells.
     pub rows: Vec<Vec<Fate>>,
     /// The exact boundary of the stability region, in pieces.
     pub edges: Vec<Vec<(f64, f64)>>,
-    /// The best gains, where they are inside the map.
+    /// The best gains, if they are inside the map.
     pub best: Option<(f64, f64)>,
-    /// The number of cells whose measured fate contradicts the exact condition at their middle.
+    /// The number of cells whose measured behaviour contradicts the exact condition at their centre.
     pub mistaken: usize,
 }
 
-/// The step size, s: short enough that the mechanism hardly moves while a violation grows or decays.
+/// The step size, s: so short that the mechanism hardly moves while a violation grows or decays.
 const STEP: f64 = 2e-7;
-/// The growth factor of a violation at which a run is halted: beyond it the mechanism's response is no longer linear.
+/// The growth factor of a violation at which a run is stopped: beyond it the mechanism's response is not linear.
 const LOST: f64 = 300.0;
-/// The initial displacement of the slider from its place, m.
+/// The initial displacement of the slider, m.
 const OFF: f64 = 1e-4;
-/// The violation that is a step's own error, relative to the first violation.
+/// The violation by a step's own error, relative to the initial violation.
 const FLOOR: f64 = 1e-5;
 
-/// The gains h b and h^2 k that a map shows: the region of an explicit method, a wide range of backward Euler.
+/// The largest gains h b and h^2 k of a map: the stability region of an explicit method, a wide range of backward
+/// Euler.
 fn most(scheme: Scheme) -> (f64, f64) {
     match scheme {
         Scheme::Euler => (5.0, 5.0),
@@ -71,12 +73,12 @@ fn most(scheme: Scheme) -> (f64, f64) {
     }
 }
 
-/// Whether the error decays by theory.
+/// Whether the violation decays by theory.
 pub fn decays(scheme: Scheme, beta: f64, kappa: f64) -> bool {
     scheme.transition(beta, kappa).is_ok_and(|matrix| inside_unit_circle(matrix).into_iter().all(|s| s > 0.0))
 }
 
-/// The map of a method with this number of columns and rows.
+/// The map of a method with given numbers of columns and rows.
 pub fn map(scheme: Scheme, columns: usize, rows: usize) -> Map {
     let most = most(scheme);
     let middle = |k: usize, of: usize, most: f64| most * (k as f64 + 0.5) / of as f64;
@@ -91,7 +93,7 @@ pub fn map(scheme: Scheme, columns: usize, rows: usize) -> Map {
     Map { scheme, most, rows: measured, edges: edges(scheme, most), best, mistaken }
 }
 
-/// The fate of a violation with the gains (h b, h^2 k), by a run of the mechanism from a violated constraint.
+/// The behaviour of a violation with the gains (h b, h^2 k), by a run of the mechanism from a violated constraint.
 pub fn fate(scheme: Scheme, beta: f64, kappa: f64) -> Fate {
     let law = Stabilised { system: &MECHANISM, damping: beta / STEP, stiffness: kappa / (STEP * STEP) };
     let (angle, spin) = (0.7, 6.0);
@@ -102,7 +104,7 @@ pub fn fate(scheme: Scheme, beta: f64, kappa: f64) -> Fate {
     let span = Span::new(0.0, STEP * STEPS as f64, &start);
     let outcome = integrate(&law, scheme.method(STEPS as u32), &Tolerance::both(1e-9), &span, &mut watched);
     let seen = &watched.sizes[..watched.count];
-    // maxima over windows, because the size of a violation that rotates in the plane of (f, h f') is not monotone
+    // maxima over windows, because the size of a violation that rotates in the plane of (f, h f') is not monotonic
     let most = |window: std::ops::Range<usize>| seen[window].iter().copied().fold(0.0, f64::max);
     let gone = seen.last().is_some_and(|last| *last < FLOOR);
     if !gone && (!outcome.reached() || most(STEPS - WINDOW..STEPS) >= most(WINDOW..2 * WINDOW)) {
@@ -115,11 +117,11 @@ pub fn fate(scheme: Scheme, beta: f64, kappa: f64) -> Fate {
     }
 }
 
-/// Steps of a run, and steps of each window over which the size of the violation is compared.
+/// The number of steps of a run, and of each window over which the size of the violation is compared.
 const STEPS: usize = 400;
 const WINDOW: usize = 100;
 
-/// The size of the violation after each step, relative to the first.
+/// The size of the violation after each step, relative to the initial one.
 struct Watched {
     first: f64,
     sizes: [f64; STEPS],
@@ -145,7 +147,7 @@ fn size(y: &[f64]) -> f64 {
     found.value[0].hypot(STEP * found.rate[0])
 }
 
-/// The exact boundary: for each beta the values of kappa, joined into the uppermost curve, the next and so on.
+/// The exact boundary: for each beta the values of kappa, joined into the uppermost curve, the next one and so on.
 fn edges(scheme: Scheme, most: (f64, f64)) -> Vec<Vec<(f64, f64)>> {
     const FINE: usize = 600;
     let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
@@ -153,7 +155,7 @@ fn edges(scheme: Scheme, most: (f64, f64)) -> Vec<Vec<(f64, f64)>> {
         let beta = most.0 * column as f64 / FINE as f64;
         let place = |row: usize| most.1 * (row as f64 + 0.5) / FINE as f64;
         let inside = |row: usize| decays(scheme, beta, place(row));
-        // from above, because the upper curve goes on where a lower one begins
+        // from above, because the upper curve continues where a lower one begins
         for (number, row) in (1..FINE).rev().filter(|row| inside(*row) != inside(row - 1)).enumerate() {
             let (mut low, mut high) = (place(row - 1), place(row));
             let below = decays(scheme, beta, low);

@@ -1,7 +1,7 @@
-//! One step of a method on the equation y'' = -b y' - k y of a constraint violation, over any field.
+//! One step of a method for the equation y'' = -b y' - k y of a constraint violation, over any scalar type.
 //!
-//! In the variables (y, h y') the matrix of a step h depends on beta = h b and kappa = h^2 k alone. The explicit methods are
-//! those of `integrators` run on this equation; the implicit ones solve for their stage.
+//! In the variables (y, h y') the matrix of a step h depends only on beta = h b and kappa = h^2 k. The explicit methods
+//! are those of `integrators`; the implicit ones solve for their stage.
 
 use field::Scalar;
 use integrators::{Method, euler_step, runge_kutta_4_step};
@@ -40,15 +40,16 @@ impl Scheme {
         }
     }
 
-    /// The scheme of an integration method over a span, s, with its step size, s; `None` where that varies, or for another method.
+    /// The scheme of an integration method over a span (s), with its step size (s); `None` for a variable step size or
+    /// another method.
     pub fn of(method: Method, span: f64) -> Option<(Self, f64)> {
         let steps = method.steps()?;
         let scheme = Self::ALL.into_iter().find(|scheme| scheme.method(steps) == method)?;
         Some((scheme, span / f64::from(steps)))
     }
 
-    /// The gains (beta, kappa) of the fastest decay, with which the matrix of a step is nilpotent or zero. Backward
-    /// Euler has none: the decay is faster with larger gains.
+    /// The gains (beta, kappa) of the fastest decay, for which the matrix of a step is nilpotent or zero. Backward
+    /// Euler has none: the decay becomes faster with larger gains.
     pub fn best(self) -> Option<(f64, f64)> {
         match self {
             Scheme::Euler => Some((2.0, 1.0)),
@@ -64,7 +65,7 @@ impl Scheme {
     /// The solution of y' = A y after one step of size one.
     ///
     /// # Errors
-    /// [`NotDefinite`] where the stage of an implicit method cannot be solved for in order.
+    /// [`NotDefinite`] where elimination without pivoting fails for the stage of an implicit method.
     pub fn step<S: Scalar, const N: usize>(self, matrix: [[S; N]; N], before: [S; N]) -> Result<[S; N], NotDefinite> {
         let rates = |_time: S, y: &[S], dy: &mut [S]| {
             for (slope, row) in dy.iter_mut().zip(matrix) {
@@ -96,7 +97,7 @@ impl Scheme {
     }
 }
 
-/// The damping beta with which a step of Runge-Kutta 4 is nilpotent, given the stiffness kappa.
+/// The damping beta for which a step of Runge-Kutta 4 is nilpotent, given the stiffness kappa.
 pub fn deadbeat_damping<S: Scalar>(kappa: S) -> S {
     kappa * (S::int(24) - S::int(4) * kappa) / (S::int(24) - kappa.squared())
 }

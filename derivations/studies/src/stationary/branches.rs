@@ -1,8 +1,10 @@
-//! The cone of all axes of steady rotation, branch by branch over the angular velocity, in doubles for pictures.
+//! The cone of all axes of steady rotation, branch by branch over the angular velocity, in double precision for
+//! figures.
 //!
-//! In the principal axes of M, with k_i = w^2 m_i and b = w h + G, the multipliers are the roots of
-//! sum b_i^2 / (k_i - x)^2 = 1: one beyond either end of the poles, and none or two between neighbours, where the sum is
-//! convex; no branch is missed. Between two cuts (folds, zero, and where some b_i vanishes) their number is constant.
+//! In the principal axes of M, with k_i = w^2 m_i and b = w h + G, the multipliers are the roots of sum b_i^2 / (k_i -
+//! x)^2 = 1: one beyond either end of the poles, and none or two between adjacent poles, where the sum is convex, so
+//! that no branch is missed. Between two cuts (folds, zero, and angular velocities where some b_i vanishes) their
+//! number is constant.
 
 use mechanics::steady_rotations::Kind;
 use nalgebra::Vector3;
@@ -12,31 +14,31 @@ use std::f64::consts::PI;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Form {
     pub moments: Vector3<f64>,
-    /// N m s
+    /// The vector h, N m s.
     pub spin: Vector3<f64>,
-    /// N m
+    /// The vector G, N m.
     pub weight: Vector3<f64>,
 }
 
-/// A connected curve of stationary directions of one kind.
+/// A connected curve of steady directions of one kind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
-    /// `None` where the directions have no real angular velocity: w^2 would be negative.
+    /// The kind; `None` where w^2 would be negative.
     pub kind: Option<Kind>,
-    /// (v, w) in the order of w.
+    /// The points (v, w) in the order of w.
     pub points: Vec<(Vector3<f64>, f64)>,
 }
 
-/// Points of a branch between two cuts.
+/// The number of points of a branch between two cuts.
 const POINTS: usize = 60;
-/// Shares of b below this are rounding.
+/// Components of b below this fraction are rounding.
 const ROUNDING: f64 = 1e-13;
-/// Binary digits of the distance to the next cut that an angular velocity keeps.
+/// The number of binary digits of the distance to the next cut that an angular velocity keeps.
 const BITS: i32 = 6;
-/// The distance to a cut up to which a branch is followed, as a share of the interval.
+/// The distance to a cut up to which a branch is computed, as a fraction of the interval.
 const NEAR: f64 = 1e-9;
 
-/// One stationary direction at one angular velocity; `place` locates its multiplier among the poles, to join neighbours.
+/// A steady direction at one angular velocity; `place` locates its multiplier among the poles, to join adjacent points.
 struct Here {
     place: (usize, bool, bool),
     kind: Kind,
@@ -44,7 +46,7 @@ struct Here {
 }
 
 impl Form {
-    /// All branches; `folds`: the angular velocities at which two merge.
+    /// All branches; `folds` are the angular velocities at which two branches merge.
     pub fn branches(&self, folds: &[f64]) -> Vec<Branch> {
         let mut cuts: Vec<f64> = folds.to_vec();
         cuts.push(0.0);
@@ -59,7 +61,7 @@ impl Form {
         branches
     }
 
-    /// The branches between two neighbouring cuts.
+    /// The branches between two adjacent cuts.
     fn stretch(&self, from: f64, to: f64) -> Vec<Branch> {
         let usual = self.usual_speed();
         let at = |k: usize| {
@@ -85,7 +87,7 @@ impl Form {
         joined((0..POINTS).map(at).map(|w| (f64::NAN, self.here(-self.moments * (w * w), self.weight))), false)
     }
 
-    /// The size, rad/s, of angular velocities at which rotation and weight, or rotation and rotor, are comparable.
+    /// The magnitude of angular velocities (rad/s) at which rotation and weight, or rotation and rotor, are comparable.
     fn usual_speed(&self) -> f64 {
         let size = self.moments.max();
         (self.weight.norm() / size).sqrt() + self.spin.norm() / size
@@ -164,7 +166,7 @@ fn short(value: f64, distance: f64) -> f64 {
     (value / unit).round() * unit
 }
 
-/// Joins directions whose multipliers have equal places.
+/// Joins directions whose multipliers have equal positions.
 fn joined(instants: impl Iterator<Item = (f64, Vec<Here>)>, real: bool) -> Vec<Branch> {
     let mut branches: Vec<((usize, bool, bool), Branch)> = Vec::new();
     for (w, all) in instants {
@@ -179,7 +181,7 @@ fn joined(instants: impl Iterator<Item = (f64, Vec<Here>)>, real: bool) -> Vec<B
     branches.into_iter().map(|(_, branch)| branch).collect()
 }
 
-/// The zero of a function that falls from plus infinity at 0, to relative precision.
+/// The zero of a function that decreases from plus infinity at 0, to relative precision.
 fn bisect(f: impl Fn(f64) -> f64, start: f64) -> f64 {
     let mut high = start;
     while f(high) > 0.0 {

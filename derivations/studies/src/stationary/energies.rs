@@ -9,13 +9,13 @@ use systems::gyrostat::Gyrostat;
 /// The second derivatives of T by (w, phi'), and the gradient of -V by the vertical.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Energies<P: field::Scalar> {
-    /// d2T/dw2, kg m^2
+    /// d2T/dw2, kg m^2.
     pub tensor: Matrix3<P>,
-    /// d2T/dw dphi', kg m^2
+    /// d2T/dw dphi', kg m^2.
     pub mixed: Vector3<P>,
-    /// d2T/dphi'2, kg m^2
+    /// d2T/dphi'2, kg m^2.
     pub axial: P,
-    /// -dV/dv, N m
+    /// -dV/dv, N m.
     pub weight: Vector3<P>,
 }
 
@@ -24,12 +24,13 @@ pub struct Energies<P: field::Scalar> {
 pub enum Kept {
     /// The speed relative to the carrier: M is the second derivative of T by w.
     RelativeSpeed,
-    /// The own momentum p = dT/dphi' (Routh): M is that derivative reduced by the rotor's part, and h its share of p.
+    /// The own momentum p = dT/dphi' (Routh): M is that derivative reduced by the rotor's part, and h its coefficient
+    /// times p.
     Momentum,
 }
 
 impl<P: Base> Energies<P> {
-    /// From the laws of kinetic and potential energy.
+    /// The derivatives from kinetic and potential energy of bodies.
     pub fn of(bodies: &Gyrostat<P>) -> Self {
         let kinetic = |[x, y, z, rotor]: [Tangent<Tangent<P>>; 4]| bodies.kinetic_energy(Vector3::new(x, y, z), rotor);
         let rows: [[P; 4]; 4] = std::array::from_fn(|i| {
@@ -45,7 +46,7 @@ impl<P: Base> Energies<P> {
         }
     }
 
-    /// M, and h for a unit of the constant quantity.
+    /// M, and h per unit of the constant quantity.
     pub fn quadratic(&self, kept: Kept) -> (Matrix3<P>, Vector3<P>) {
         match kept {
             Kept::RelativeSpeed => (self.tensor, self.mixed),

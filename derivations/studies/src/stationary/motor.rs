@@ -8,24 +8,24 @@ use symbolic::{Hypotheses, Sym, normal, univariate};
 /// The steady states of a machine's rotor.
 #[derive(Clone, Debug)]
 pub enum MotorStates {
-    /// Any speed is steady: the torque vanishes at all of them.
+    /// Every speed is steady: the torque vanishes at all of them.
     Free,
     /// The prescribed speed, rad/s.
     Kept { speed: Root },
-    /// Synchronous: the angles at which the torque vanishes, and whether a supply feeds currents there.
+    /// Synchronous: the angles at which the torque vanishes, and whether a supply drives currents there.
     InStep { speed: Root, angles: Vec<Angle>, bears: Option<Bears>, fed: bool },
     /// Asynchronous: the speeds relative to the carrier at which the torque vanishes.
     Slipping { speeds: Vec<Slip>, extremes: Vec<Extreme> },
 }
 
-/// An angle of the rotor against the field.
+/// An angle of the rotor relative to the field.
 #[derive(Clone, Debug)]
 pub struct Angle {
-    /// The tangent of half of the angle; `None` at half a turn.
+    /// The tangent of half the angle; `None` at half a turn.
     pub half_tangent: Option<Root>,
-    /// The sign of dM/dg: -1 where the torque is restoring; 0 where two angles merge (pull-out, a saddle-node).
+    /// The sign of dM/dg: -1 for a restoring torque; 0 where two angles merge (pull-out, a saddle-node).
     pub slope: i32,
-    /// Steady currents of a machine with a supply, A; empty for another.
+    /// The steady currents of a machine with a supply, A; empty otherwise.
     pub currents: Vec<f64>,
 }
 
@@ -33,14 +33,14 @@ pub struct Angle {
 #[derive(Clone, Debug)]
 pub struct Slip {
     pub speed: Root,
-    /// The sign of dM/dphi': -1 where the torque is restoring; 0 where two speeds merge (pull-out, a saddle-node).
+    /// The sign of dM/dphi': -1 for a restoring torque; 0 where two speeds merge (pull-out, a saddle-node).
     pub slope: i32,
     /// Steady currents of a machine with a supply, A.
     pub currents: Vec<f64>,
 }
 
-/// The pull-out torques, N m, friction at the field's speed included: with a further constant torque M the rotor has a steady
-/// angle if least <= -M <= greatest; at either end two angles merge, beyond it none is left.
+/// The pull-out torques, N m, including friction at the field's speed: with a further constant torque M the rotor has a
+/// steady angle if least <= -M <= greatest; at either end two angles merge, beyond it none exists.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bears {
     pub least: f64,
@@ -50,16 +50,16 @@ pub struct Bears {
 /// A local maximum or minimum of the torque over the speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extreme {
-    /// rad/s
+    /// The speed, rad/s.
     pub speed: f64,
-    /// N m
+    /// The torque, N m.
     pub torque: f64,
 }
 
-/// The reason for which the steady states of a machine are not known.
+/// The reason why the steady states of a machine are not known.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoMotor {
-    /// The data do not make a machine.
+    /// The data do not define a machine.
     Data(NoModel),
     /// The torque is not a rational function with rational coefficients.
     NotAlgebraic(String),
@@ -93,15 +93,15 @@ impl MotorStates {
     /// The steady states of a machine; its data are the decimals of the file.
     ///
     /// # Errors
-    /// [`NoMotor`].
+    /// [`NoMotor`] with the reason why they are not known.
     pub fn of(motor: &Motor) -> Result<Self, NoMotor> {
         Self::under(motor, 0.0)
     }
 
-    /// The steady states under a load: a constant torque against the rotor's rotation, N m, taken as an exact decimal.
+    /// The steady states under a load: a constant torque (N m) against the rotor's rotation, taken as an exact decimal.
     ///
     /// # Errors
-    /// [`NoMotor`].
+    /// [`NoMotor`] with the reason why they are not known.
     pub fn under(motor: &Motor, load: f64) -> Result<Self, NoMotor> {
         let machine = Loaded { machine: motor.decimals(), load: Sym::constant(Rational::decimal(load)) };
         let field_speed = machine.frame_speed();
@@ -139,7 +139,7 @@ impl Angle {
     }
 }
 
-/// The torque at steady currents, and these currents with a supply.
+/// The torque at steady currents, and these currents for machines with a supply.
 struct Resting {
     torque: Sym,
     currents: Vec<Sym>,

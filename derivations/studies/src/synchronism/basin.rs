@@ -40,7 +40,7 @@ impl Share {
     }
 }
 
-/// The reason for which no shares were computed.
+/// The reason why no shares were computed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoShares {
     Field(NoField),

@@ -67,7 +67,7 @@ const MOST: usize = 400;
 const TOLERANCE: f64 = 1e-13;
 /// The longest period that is followed, in units of 1/frequency.
 const LONGEST: f64 = 120.0;
-/// The load is near its limit when it changes by less than this share of the pull-out torque b while the period grows by 1/frequency.
+/// The load is near its limit when it changes by less than this fraction of the pull-out torque b while the period grows by 1/frequency.
 /// Nearer to the limit shooting fails: the sensitivity of a turn's end grows as fast as the load settles.
 const SETTLED: f64 = 1e-8;
 /// The least period near the limit, and the differences of the periods from which it is extrapolated, in units of 1/frequency.

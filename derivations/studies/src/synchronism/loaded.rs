@@ -70,7 +70,7 @@ impl UnderLoad {
     }
 }
 
-/// The reason for which a motor has no synchronism to study.
+/// The reason why a motor has no synchronism to study.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoField {
     /// The machine has no angle to its field as a state.

@@ -1,4 +1,4 @@
-//! Stationary motions: rotations about the vertical with the rotor at a constant relative speed.
+//! Steady motions: rotations about the vertical with the rotor at a constant relative speed.
 //!
 //! In the axes of A*, with w = w0 v constant and the rotor at the relative speed W, the equations of motion ask that
 //!

@@ -1,4 +1,4 @@
-//! Operations on vectors over any field, always inlined: nalgebra's are not inlined over batches, and calls would leave
+//! Operations on vectors over any scalar type, always inlined: nalgebra's are not inlined over batches, and calls would leave
 //! the code that was compiled for wide registers. Products and sums are rounded together (fused) where the field
 //! does this.
 

@@ -1,4 +1,4 @@
-//! The two classical gyrostats of a stationary motion, in letters.
+//! The two classical gyrostats of a steady motion, in letters.
 
 use super::alphabet;
 use nalgebra::Matrix3;

@@ -1,4 +1,4 @@
-//! Stability of stationary motions: structural zeros, polynomials, common properties of motors, closed forms.
+//! Stability of steady motions: structural zeros, polynomials, common properties of motors, closed forms.
 
 mod alphabet;
 mod closed;

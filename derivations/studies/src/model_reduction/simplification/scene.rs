@@ -1,4 +1,4 @@
-//! A scene run by a smaller model of its system.
+//! A scene run with a reduced model of its system.
 
 use super::Simplification;
 use super::reduced_law::lower;
@@ -12,14 +12,14 @@ use simulation::{Axes, IvpScene, Run};
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// The scene, with the elements of a simplification left out.
+/// The scene, with the elements of a simplification neglected.
 pub struct SimplifiedScene {
-    /// The scene with the parameters that are zero.
+    /// The scene with zero parameters and limits applied.
     scene: Arc<dyn Modelled>,
     name: String,
-    /// The reduced law, where states are left out.
+    /// The reduced law, if states are neglected.
     reduced: Option<Arc<ReducedModel>>,
-    /// Whether each column depends on a state that is left out.
+    /// For each column, whether it depends on a neglected state.
     hidden: Vec<bool>,
 }
 
@@ -27,7 +27,7 @@ impl SimplifiedScene {
     /// A scene without the elements of a simplification.
     ///
     /// # Errors
-    /// A name that is unknown, or the reason for which there is no such model.
+    /// An unknown name, or the reason why there is no such model.
     pub fn of(scene: &Arc<dyn Modelled>, simplification: &Simplification) -> Result<Self, String> {
         let zero: Vec<&str> = simplification.without.iter().map(String::as_str).collect();
         let unbounded: Vec<&str> = simplification.rigid.iter().map(String::as_str).collect();
@@ -83,7 +83,7 @@ impl SimplifiedScene {
         self.reduced.as_ref().map_or_else(|| self.scene.problem(Axes::First).state.len(), |reduced| reduced.start.len())
     }
 
-    /// The problem with all columns of the scene's own run; hidden columns keep the initial values of their states.
+    /// The problem with all columns of the scene's own run; columns of neglected states keep their initial values.
     pub fn whole_problem(&self) -> Problem {
         let own = self.scene.problem(Axes::First);
         let Some(reduced) = &self.reduced else { return own };
@@ -111,7 +111,7 @@ impl SimplifiedScene {
         }
     }
 
-    /// The reduced model, where states are left out.
+    /// The reduced model, if states are neglected.
     pub(crate) fn reduced(&self) -> Option<&ReducedModel> {
         self.reduced.as_deref()
     }

@@ -1,4 +1,4 @@
-//! The motion by which treatments are compared: span, start, exact solution, and errors of a run.
+//! The motion for the comparison of treatments: span, start, exact solution, and errors of a run.
 
 use crate::stabilisation::law::{Stabilised, state};
 use crate::stabilisation::regions::MECHANISM;
@@ -7,7 +7,7 @@ use integrators::{Failure, Observer, Span, System, reference};
 use mechanics::constrained::energies::{Reduced, violation};
 use systems::crank_slider::CrankSlider;
 
-/// The span, s: the crank turns from 0.7 with 6 rad/s, about nine times.
+/// The span, s: the crank starts at 0.7 rad with 6 rad/s and makes about nine turns.
 pub const SPAN: f64 = 10.0;
 pub(super) const START: [f64; 2] = [0.7, 6.0];
 const OUTPUTS: usize = 100;
@@ -18,7 +18,7 @@ pub(super) fn reduced() -> impl System {
     Stabilised::<_, 1, 0> { system: &REDUCED, damping: 0.0, stiffness: 0.0 }
 }
 
-/// (q, q') from the minimal coordinate and its rate.
+/// The full state (q, q') from the minimal coordinate and its rate.
 pub(super) fn whole<S: Over<f64> + Analytic>(s: &[S]) -> [S; 4] {
     let (q, dq) = Reduced(&MECHANISM).motion(S::zero(), [s[0]], [s[1]]);
     [q[0], q[1], dq[0], dq[1]]
@@ -39,7 +39,7 @@ impl Goal {
     /// The reference motion, computed in the minimal coordinate.
     ///
     /// # Errors
-    /// The failure of the reference's run.
+    /// [`Failure`] of the reference.
     pub fn new() -> Result<Self, Failure> {
         let exact = reference(&reduced(), &span(&START))?;
         let states: Vec<[f64; 4]> =
@@ -48,7 +48,7 @@ impl Goal {
         Ok(Goal { states, sizes })
     }
 
-    /// An observer that measures a run.
+    /// An observer that measures the errors of a run.
     pub(super) fn watch(&self, minimal: bool) -> Watch<'_> {
         Watch { goal: self, minimal, seen: 0, drift: 0.0, rate_drift: 0.0, error: 0.0 }
     }

@@ -1,9 +1,9 @@
-//! Constraint stabilisation methods compared on one mechanism: drift of the constraint, error of the motion, cost.
+//! Constraint stabilisation methods compared for one mechanism: drift of the constraint, error of the motion, cost.
 //!
 //! # Overview
 //! * `goal`: the motion, its exact solution, and errors of a run;
 //! * `run`: one run of one treatment;
-//! * `scan`: drift and error against the gain;
+//! * `scan`: drift and error as functions of the gain;
 //! * `timed`: computing times.
 
 mod goal;
@@ -26,16 +26,17 @@ use simulation::work_precision::Formulation;
 pub enum Treatment {
     /// Lagrange's multipliers, f'' = 0, without stabilisation.
     IndexReduction,
-    /// f'' = -b f' - k f with the gains of the fastest decay for the method at its step.
+    /// f'' = -b f' - k f with the gains of the fastest decay for the method and its step size.
     Fastest,
-    /// f'' = -b f' - k f, critically damped with the rate [`MODERATE`] at every step size.
+    /// f'' = -b f' - k f, critically damped with the rate [`MODERATE`] for every step size.
     Moderate,
-    /// f'' = -b f' - k f, critically damped with the rate, 1/s, for which a scan found the least error of this method at this step.
+    /// f'' = -b f' - k f, critically damped with the rate, 1/s, for which a scan found the smallest error of this
+    /// method with this step size.
     MostAccurate { rate: f64 },
-    /// Lagrange's multipliers; after each step the state is moved onto f = 0 and f' = 0, along the reactions.
+    /// Lagrange's multipliers; after each step the state is projected onto f = 0 and f' = 0, along the reactions.
     Projected,
-    /// Gear, Gupta and Leimkuhler: f = 0 and f' = 0, each with its multiplier: half-explicit methods for explicit ones,
-    /// Radau IIA for backward Euler, projected Gauss for the midpoint rule.
+    /// Gear, Gupta and Leimkuhler: multipliers for f = 0 and for f' = 0. Half-explicit methods correspond to the
+    /// explicit ones, Radau IIA to backward Euler, projected Gauss to the midpoint rule.
     GearGuptaLeimkuhler,
     /// A minimal coordinate, in which the constraint holds identically.
     Minimal,
@@ -72,7 +73,7 @@ pub struct Line {
     pub scheme: Scheme,
     pub steps: u32,
     pub treatment: Treatment,
-    /// `None` where the combination does not exist; a failure where the run broke off.
+    /// `None` where the combination does not exist; a failure if the run failed.
     pub measured: Option<Result<Measured, Failure>>,
 }
 
@@ -91,12 +92,12 @@ pub const RUNS: [(Scheme, u32); 8] = [
     (Scheme::BackwardEuler, 4_000),
 ];
 
-/// Measures one treatment; `None` where the combination does not exist, a failure where the run broke off.
+/// Measures one treatment; `None` where the combination does not exist, a failure if the run failed.
 pub fn measure(scheme: Scheme, steps: u32, treatment: Treatment, goal: &Goal) -> Option<Result<Measured, Failure>> {
     Run::new(scheme, steps, treatment).map(|run| run.measure(goal))
 }
 
-/// Measures one method at one step size with every treatment.
+/// Measures one method with one step size and every treatment.
 pub fn compare(scheme: Scheme, steps: u32, scan: &Scan, goal: &Goal) -> Vec<Line> {
     let mut treatments = Treatment::PLAIN.to_vec();
     treatments.splice(3..3, scan.best().map(|best| Treatment::MostAccurate { rate: best.rate }));

@@ -1,4 +1,4 @@
-//! One run of one treatment, with its errors and cost.
+//! One run with one treatment, with its errors and cost.
 
 use super::Treatment;
 use super::goal::{Goal, SPAN, START, reduced, span, whole};
@@ -19,9 +19,9 @@ pub struct Measured {
     pub rate_drift: f64,
     /// The largest error of (q, q') at the outputs, each component relative to its size.
     pub error: f64,
-    /// Evaluations of the equations of motion; a Jacobian counts as one for each column.
+    /// The number of evaluations of the equations of motion; a Jacobian counts as one for each column.
     pub evaluations: u64,
-    /// Evaluations of the constraint alone, by which places and velocities are corrected.
+    /// The number of evaluations of the constraint alone, for projections of coordinates and velocities.
     pub corrections: u64,
 }
 
@@ -36,7 +36,7 @@ pub(super) struct Run {
 /// The treatment of the constraint, with its gains.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Keeping {
-    /// f'' = -b f' - k f with (h b, h^2 k).
+    /// Stabilised: f'' = -b f' - k f with (h b, h^2 k).
     Led(f64, f64),
     Projected,
     BothHeld,
@@ -69,7 +69,7 @@ impl Run {
             stiffness: kappa / (h * h),
         };
         let (held, span_of_all) = (BothHeld::<CrankSlider<f64>, 2, 1>(&MECHANISM), span(&whole(&START)));
-        // methods with constant step size ignore the tolerance
+        // methods with a constant step size ignore the tolerance
         let tolerance = Tolerance::both(1e-9);
         match self.way {
             Keeping::Led(beta, kappa) => integrate(&law(beta, kappa), method, &tolerance, &span_of_all, observer),

@@ -1,19 +1,19 @@
-//! Drift and error against the gain, and the gain of the least error.
+//! Drift and error as functions of the gain, and the gain of the smallest error.
 //!
-//! With constant gains a method of order p has the error h^p e(t; b, k) + O(h^(p+1)) as h -> 0, where e does not depend on h.
-//! The gains of the least error therefore tend to a limit, while those of the fastest decay grow as 1/h and 1/h^2. The limit
-//! is measured, since no theory here gives it.
+//! With constant gains a method of order p has the error h^p e(t; b, k) + O(h^(p+1)) for h -> 0, where e does not
+//! depend on h. The gains of the smallest error therefore tend to a limit, while those of the fastest decay grow as 1/h
+//! and 1/h^2. The limit is measured, since no theory here gives it.
 
 use super::goal::{Goal, SPAN};
 use super::run::{Keeping, Run};
 use crate::stabilisation::schemes::Scheme;
 
-/// Drift and error against the rate w of critically damped gains, b = 2 w, k = w^2, at a constant step size.
+/// Drift and error as functions of the rate w of critically damped gains, b = 2 w, k = w^2, with a constant step size.
 #[derive(Clone, Debug)]
 pub struct Scan {
     pub scheme: Scheme,
     pub steps: u32,
-    /// The measurements at the rates at which the run stays bounded, in ascending order.
+    /// The measurements at the rates for which the run stays bounded, in ascending order.
     pub points: Vec<Measure>,
     /// The error without gains.
     pub without: f64,
@@ -22,7 +22,7 @@ pub struct Scan {
 /// The drift and error at a rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measure {
-    /// w, 1/s
+    /// The rate w, 1/s.
     pub rate: f64,
     /// The largest |f|, m^2.
     pub drift: f64,
@@ -30,7 +30,7 @@ pub struct Measure {
 }
 
 impl Scan {
-    /// Scans from the slowest rate to the stability limit, five rates per decade, finer near the least error.
+    /// Scans from the slowest rate to the stability limit, five rates per decade, finer near the smallest error.
     pub fn of(scheme: Scheme, steps: u32, goal: &Goal) -> Self {
         let h = SPAN / f64::from(steps);
         let measure = |rate: f64| {
@@ -56,7 +56,7 @@ impl Scan {
         Scan { scheme, steps, points, without: without.map_or(f64::INFINITY, |found| found.error) }
     }
 
-    /// The measurement of the least error; `None` where no gain beats the run without gains.
+    /// The measurement with the smallest error; `None` if no gain is better than the run without gains.
     pub fn best(&self) -> Option<Measure> {
         least(&self.points).filter(|best| best.error < self.without)
     }
@@ -66,12 +66,12 @@ fn least(points: &[Measure]) -> Option<Measure> {
     points.iter().copied().min_by(|a, b| a.error.total_cmp(&b.error))
 }
 
-/// The slowest rate, 1/s: a violation would take as long as the span to decay by a tenth.
+/// The slowest rate, 1/s: a violation would decay by a tenth during the span.
 const SLOWEST: f64 = 0.01;
 /// The largest h w: beyond it no explicit method is stable.
 const FASTEST: f64 = 10.0;
-/// Rates per decade, and rates between the neighbours of the least error.
+/// Rates per decade, and rates between the neighbours of the smallest error.
 const A_DECADE: f64 = 5.0;
 const FINER: u32 = 12;
-/// An error beyond which a run is discarded.
+/// An error above which a run is discarded.
 const LOST: f64 = 10.0;

@@ -9,7 +9,7 @@ pub fn decimals(bodies: &Gyrostat<f64>) -> Gyrostat<Rational> {
     written(bodies, Rational::decimal)
 }
 
-/// The bodies with numbers of another field; the inertia tensor is symmetric.
+/// The bodies with numbers of another scalar type; the inertia tensor is symmetric.
 pub fn written<P: Base>(bodies: &Gyrostat<f64>, number: impl Fn(f64) -> P) -> Gyrostat<P> {
     let vector = |v: &Vector3<f64>| v.map(&number);
     let matrix = |m: &Matrix3<f64>| m.map(&number);

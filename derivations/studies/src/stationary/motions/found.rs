@@ -1,11 +1,11 @@
-//! The stationary motions of a scene, each with its stability, and the certificate of completeness.
+//! The steady motions of a scene, each with its stability, and the certificate of completeness.
 
 use crate::stationary::stability::{Along, Judged};
 use algebra::real::Enclosure;
 use mechanics::steady_rotations::{Kind, Shape, Undecided};
 use nalgebra::Vector3;
 
-/// The stationary motions of one case.
+/// The steady motions of one case.
 pub struct Answer {
     /// As [`super::Case::value`].
     pub value: f64,
@@ -19,11 +19,11 @@ pub struct Certificate {
     /// The degree of the polynomial whose real roots were isolated; `roots` is their number.
     pub degree: usize,
     pub roots: usize,
-    /// The number of real roots by Sturm's theorem, where it was counted again.
+    /// The number of real roots by Sturm's theorem, if it was counted independently.
     pub again: Option<usize>,
-    /// Minima - saddles + maxima, 2 on a sphere.
+    /// Minima - saddles + maxima, which is 2 on a sphere.
     pub morse: Option<i32>,
-    /// The reason for which further motions may exist: completeness is then not claimed.
+    /// The reason why further motions may exist; completeness is then not claimed.
     pub undecided: Option<Undecided>,
 }
 
@@ -36,7 +36,7 @@ pub struct Members {
     pub along: Vec<Along>,
 }
 
-/// A stationary motion, or a connected family of them.
+/// A steady motion, or a connected family of them.
 #[derive(Clone, Debug)]
 pub struct Found {
     pub shape: Shape,

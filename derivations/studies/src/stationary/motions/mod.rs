@@ -1,4 +1,4 @@
-//! All stationary motions of a scene, for a given angular velocity or angular momentum about the vertical.
+//! All steady motions of a scene, for a given angular velocity or angular momentum about the vertical.
 
 mod decimals;
 mod found;
@@ -21,7 +21,7 @@ use nalgebra::Vector3;
 use simulation::Axes;
 use systems::gyrostat::Gyrostat;
 
-/// A scene's gyrostat and motor, prepared for the search of stationary motions.
+/// A scene's gyrostat and motor, prepared for the search of steady motions.
 pub struct Stationary<'a> {
     scene: &'a Scene,
     bodies: &'a Gyrostat<f64>,
@@ -46,22 +46,22 @@ impl Case {
         Some(Case { value, body })
     }
 
-    /// The case for a picture, where a relative error of 2^-53 is invisible: an irrational value (Kloss') is replaced by
-    /// its double, since exact answers at hundreds of points in its number field take minutes.
+    /// The case for a figure, where a relative error of 2^-53 is invisible: an irrational value (Kloss' torque) is
+    /// rounded to double precision, since exact results at hundreds of points in its number field take minutes.
     pub fn drawn(&self, energies: &Energies<Rational>, kept: Kept) -> Option<Self> {
         let value = self.value.as_rational().unwrap_or_else(|| Rational::exactly(self.value.to_f64()));
         Case::of(energies, kept, Root::rational(value)?)
     }
 }
 
-/// Bits to which directions are enclosed.
+/// The precision of directions, bits.
 const BITS: usize = 64;
 
 impl<'a> Stationary<'a> {
-    /// Prepares a scene; its data are the decimals in the file.
+    /// Prepares a scene; its data are the decimals of the file.
     ///
     /// # Errors
-    /// [`NoAnswer`].
+    /// [`NoAnswer`] with the reason why its steady motions cannot be found.
     pub fn of(scene: &'a Scene) -> Result<Self, NoAnswer> {
         let Setup::Gyrostat(bodies) = &scene.system else { return Err(NoAnswer::Bench) };
         let motor = MotorStates::of(&scene.machine).map_err(NoAnswer::Motor)?;
@@ -80,10 +80,10 @@ impl<'a> Stationary<'a> {
         Ok(Stationary { scene, bodies, energies, approximation, motor, kept, cases })
     }
 
-    /// All stationary motions with the angular velocity w, rad/s, about the vertical.
+    /// All steady motions with the angular velocity w (rad/s) about the vertical.
     ///
     /// # Errors
-    /// [`NoAnswer`].
+    /// [`NoAnswer`] with the reason why they cannot be found.
     pub fn at_speed(&self, w: f64) -> Result<Vec<Answer>, NoAnswer> {
         self.cases.iter().map(|case| self.answer_at_speed(case, w)).collect()
     }
@@ -114,16 +114,16 @@ impl<'a> Stationary<'a> {
         Ok(Answer { value: case.value.to_f64(), found, certificate })
     }
 
-    /// All stationary motions with the angular momentum p, N m s, about the vertical.
+    /// All steady motions with the angular momentum p (N m s) about the vertical.
     ///
     /// # Errors
-    /// [`NoAnswer`].
+    /// [`NoAnswer`] with the reason why they cannot be found.
     pub fn at_momentum(&self, p: f64) -> Result<Vec<Answer>, NoAnswer> {
         self.cases.iter().map(|case| self.answer_at_momentum(case, p)).collect()
     }
 
     fn answer_at_momentum(&self, case: &Case, p: f64) -> Result<Answer, NoAnswer> {
-        // a rotor with its own conserved momentum carries its part of the whole
+        // a rotor with its own conserved momentum contributes its part of the whole
         let exactly = Rational::decimal(p);
         let all = case.body.at_momentum(exactly).ok_or(NoAnswer::NotFinite(p))?;
         let of_motion = |motion: &Turning| {
@@ -144,7 +144,7 @@ impl<'a> Stationary<'a> {
         Ok(Answer { value: case.value.to_f64(), found, certificate })
     }
 
-    /// The stability along a family with the angular velocity w, rad/s, for each angle of the rotor.
+    /// The stability along a family with the angular velocity w (rad/s), for each angle of the rotor.
     pub fn along(&self, case: &Case, family: &SteadyRotation, w: Rational) -> Vec<Along> {
         let enclosed = |bits| Some((family.direction(bits)?, Enclosure::rational(w, bits)?));
         let axis = |bits| family.axis(bits);
@@ -156,7 +156,7 @@ impl<'a> Stationary<'a> {
         Judge { approximation, energies, motor, kept: *kept, value: &case.value, given }
     }
 
-    /// The number of stationary motions at every angular velocity, case by case.
+    /// The number of steady motions at every angular velocity, case by case.
     pub fn census(&self) -> Vec<Result<Census, Undecided>> {
         self.cases.iter().map(|case| case.body.census()).collect()
     }
@@ -171,7 +171,7 @@ impl<'a> Stationary<'a> {
         self.bodies.angular_momentum(w, rotor_speed)[0].dot(&v)
     }
 
-    /// A motion with its stability, and its residual in the equations that run.
+    /// A motion with its stability, and its residual in the integrated equations.
     fn found(&self, case: &Case, raw: &Raw<'_>, enclosed: [Enclosure; 3], speed: f64) -> Result<Found, NoAnswer> {
         let judge = self.judge(case, raw.given);
         let plain = |v: &[Enclosure; 3]| Vector3::from(v.each_ref().map(Enclosure::to_f64));
@@ -215,7 +215,7 @@ impl<'a> Stationary<'a> {
         })
     }
 
-    /// The largest rate at a stationary state by the equations that run, an independent check.
+    /// The largest rate at a steady state by the integrated equations, as an independent check.
     fn residual(&self, w: Vector3<f64>, v: Vector3<f64>, rotor_speed: f64) -> f64 {
         let places: Vec<(f64, &[f64])> = match &self.motor {
             MotorStates::InStep { angles, .. } => {

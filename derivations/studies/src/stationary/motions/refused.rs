@@ -1,9 +1,9 @@
-//! Reasons for which a scene has no answer on its stationary motions.
+//! Reasons why a scene has no answer on its steady motions.
 
 use crate::stationary::motor::NoMotor;
 use std::fmt;
 
-/// The reason for which there is no answer.
+/// The reason why there is no answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoAnswer {
     /// A motor on a bench has no carrier.
@@ -11,7 +11,7 @@ pub enum NoAnswer {
     Motor(NoMotor),
     /// A number is infinite or not a number.
     NotFinite(f64),
-    /// Motions cannot be separated with the bits that are tried.
+    /// The motions cannot be separated with the precisions tried.
     TooFine,
 }
 

@@ -1,4 +1,4 @@
-//! Stability along a family of stationary motions: arc by arc, with the directions at which the verdict changes.
+//! Stability along a family of steady motions: arc by arc, with the directions at which the verdict changes.
 
 use super::critical::critical;
 use super::family::{Cut, Family, cross, direction};
@@ -12,12 +12,12 @@ use field::{Rational, Scalar};
 use mechanics::steady_rotations::Shape;
 use nalgebra::Vector3;
 
-/// The verdicts along a family with one angle of the rotor.
+/// The verdicts along a family for one angle of the rotor.
 #[derive(Clone, Debug)]
 pub struct Along {
-    /// Arcs once round a circle, or belts of a sphere from the pole along the rotor's axis to the other pole.
+    /// The arcs around a circle, or the zones of a sphere from the pole along the rotor's axis to the other pole.
     pub arcs: Vec<Arc>,
-    /// Single directions whose verdict differs from that of the neighbouring arcs, in the order of the arcs.
+    /// Single directions whose verdict differs from that of the adjacent arcs, in the order of the arcs.
     pub edges: Vec<Edge>,
 }
 
@@ -38,18 +38,18 @@ pub struct Edge {
     pub judged: Judged,
 }
 
-/// A family as found: its centre and angular velocity, and the axis of a circle, within 2^-bits.
+/// A family: its centre and angular velocity, and the axis of a circle, within 2^-bits.
 pub struct Known<'a> {
     pub shape: Shape,
     pub enclosed: &'a Enclosed<'a>,
     pub axis: &'a dyn Fn(usize) -> Option<[Enclosure; 3]>,
 }
 
-/// Precision of a member's direction, bits.
+/// The precision of a member's direction, bits.
 const MEMBER: usize = 512;
 
 impl Judge<'_> {
-    /// The stability along a family, for each angle of a synchronous motor, else once.
+    /// The stability along a family, for each angle of a synchronous motor, otherwise once.
     pub fn along(&self, known: &Known<'_>) -> Vec<Along> {
         self.angles().into_iter().map(|angle| self.along_at(known, angle)).collect()
     }
@@ -72,7 +72,8 @@ impl Judge<'_> {
         Along { arcs, edges: Vec::new() }
     }
 
-    /// The verdicts by cutting the curve at the zeros of critical functions, judged between and at the cuts with exact numbers.
+    /// The verdicts by cutting the curve at the zeros of critical functions, judged between and at the cuts with exact
+    /// numbers.
     fn exactly_along(&self, known: &Known<'_>, angle: Option<&Angle>) -> Option<Along> {
         let (centre, speed) = (known.enclosed)(BITS[0])?;
         let speed = speed.simplest();
@@ -121,7 +122,7 @@ impl Judge<'_> {
         critical(self.approximation, self.energies, &place, momentum)
     }
 
-    /// The verdict on one member, with enclosures, where a symmetry maps it to all others.
+    /// The verdict on one member, with enclosures, if a symmetry maps it to all others.
     fn by_symmetry(&self, known: &Known<'_>, angle: Option<&Angle>) -> Option<Along> {
         let Shape::Circle { .. } = known.shape else { return None };
         let through = direction(&(known.axis)(BITS[0])?)?;
@@ -196,7 +197,7 @@ impl Exact<'_> {
     }
 }
 
-/// Joins neighbouring arcs with equal verdicts, including the direction between them.
+/// Joins adjacent arcs with equal verdicts, including the direction between them.
 fn joined(family: &Family, cuts: &[Cut], arcs: Vec<Arc>, at_cut: impl Fn(&Cut) -> Option<Judged>) -> Option<Along> {
     let alike = |a: &Judged, b: &Judged| a.verdict == b.verdict && a.along == b.along;
     let place = |cut: &Cut| -> Option<Vector3<f64>> {
@@ -215,7 +216,8 @@ fn joined(family: &Family, cuts: &[Cut], arcs: Vec<Arc>, at_cut: impl Fn(&Cut) -
             continue;
         }
         let mut judged = at_cut(cut)?;
-        // the family leaves the level of the integrals here to second order: the verdict across it does not suffice
+        // here the family leaves the level of the integrals to second order: the verdict transverse to it does not
+        // suffice
         if beside.iter().any(|one| one.aside < judged.aside)
             && !matches!(judged.verdict, StabilityVerdict::Unstable { .. })
         {
@@ -231,7 +233,7 @@ fn joined(family: &Family, cuts: &[Cut], arcs: Vec<Arc>, at_cut: impl Fn(&Cut) -
     }
     let mut stations: Vec<(usize, Vector3<f64>)> = edges.iter().map(|(k, edge)| (*k, edge.direction)).collect();
     if family.sphere {
-        // poles bound the first and the last belt, edges or not
+        // poles bound the first and the last zone, edges or not
         stations.retain(|(k, _)| *k != 0 && *k != count);
         stations.insert(0, (0, place(cuts.first()?)?));
         stations.push((count, place(cuts.last()?)?));

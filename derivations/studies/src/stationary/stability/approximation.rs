@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 use std::sync::Arc;
 use symbolic::{Formulas, Hypotheses, Sym, decide, symbols};
 
-/// The matrices of [`Linear`] as formulas of the place, with the decimals of the file as data.
+/// The matrices of [`Linear`] as formulas of the state, with the decimals of the file as data.
 #[derive(Clone, Debug)]
 pub struct Approximation {
     pub layout: Layout,
@@ -19,14 +19,14 @@ pub struct Approximation {
     pub integrals: Vec<Integral>,
     /// Whether G is conserved: no dissipation at any slip.
     pub conservative: bool,
-    /// Whether the motor's own torque does not depend on the slip, and neither damps nor drives.
+    /// Whether the motor's own torque does not depend on the slip: it neither damps nor drives.
     pub steady: bool,
-    /// Whether a supply or sliding conductors feed G, which then decides nothing.
+    /// Whether a supply or sliding conductors change G, which then decides nothing.
     pub fed: bool,
-    /// Whether no weight acts: the angular momentum is constant in space, with eigenvalues +-i w0.
+    /// Whether there is no weight: the angular momentum is constant in space, with eigenvalues +-i w0.
     pub balanced: bool,
     formulas: Arc<Formulas>,
-    /// Values of the formulas' letters: the bodies, the load, a datum of the machine.
+    /// The values of the symbols in the formulas: of the bodies, the load, a datum of the machine.
     letters: Vec<Rational>,
 }
 
@@ -34,7 +34,7 @@ impl Approximation {
     /// The linearisation of bodies, given by their energies, with a machine.
     ///
     /// # Errors
-    /// [`NoMotor`] where its laws are not algebraic.
+    /// [`NoMotor`] where the machine's laws are not algebraic.
     pub fn of(energies: &Energies<Rational>, motor: &Motor) -> Result<Self, NoMotor> {
         Self::with(energies, &motor.decimals())
     }
@@ -42,12 +42,12 @@ impl Approximation {
     /// The linearisation with a machine whose data are constants.
     ///
     /// # Errors
-    /// [`NoMotor::NotAlgebraic`].
+    /// [`NoMotor::NotAlgebraic`] where the machine's laws are not algebraic.
     pub fn with(energies: &Energies<Rational>, machine: &impl Machine<Sym>) -> Result<Self, NoMotor> {
         Self::lettered(&energies.written(), machine, &[])
     }
 
-    /// The linearisation with letters among the data of bodies and machine, whose values are given later.
+    /// The linearisation with symbols among the data of bodies and machine, whose values are given later.
     pub(super) fn lettered(
         energies: &Energies<Sym>,
         machine: &impl Machine<Sym>,
@@ -81,13 +81,13 @@ impl Approximation {
         })
     }
 
-    /// The linearisation with values for its letters, those of the bodies among them.
+    /// The linearisation with values for its symbols, including those of the bodies.
     pub(super) fn given(&self, letters: Vec<Rational>, energies: &Energies<Rational>) -> Self {
         let balanced = energies.weight.iter().all(|one| one.sign() == Some(0));
         Approximation { letters, balanced, ..self.clone() }
     }
 
-    /// The matrices at a place; `None` where a number may be undefined, or is not in the number field.
+    /// The matrices at a state; `None` where a number may be undefined, or is not in the number field.
     pub fn at<R: Ordered>(&self, place: &[R; 7], one: &R) -> Option<Linear<R>> {
         let letters: Vec<R> = self.letters.iter().map(|value| one.fraction(*value)).collect::<Option<_>>()?;
         let values = self.formulas.values(&[&place[..], &letters].concat(), one)?;

@@ -8,10 +8,10 @@ use field::Rational;
 use nalgebra::Vector3;
 use symbolic::{Formulas, Unbound, symbols};
 
-/// The decisive quantities as formulas of (w0, v, W).
+/// The deciding quantities as formulas of (w0, v, W).
 pub struct Fates(Formulas);
 
-/// The precisions that are tried, bits; a quantity that then has no sign counts as zero.
+/// The precisions tried, bits; a quantity whose sign is then still unknown counts as zero.
 const BITS: [usize; 3] = [64, 256, 1024];
 
 impl Fates {
@@ -26,7 +26,8 @@ impl Fates {
         Formulas::of(&motion.deciding(), &unknowns).map(Fates)
     }
 
-    /// All isolated directions with the angular velocity w, rad/s, each with its fate; empty where w is undefined.
+    /// All isolated directions with the angular velocity w (rad/s), each with its stability; empty where w is
+    /// undefined.
     pub fn at(&self, case: &Case, w: f64) -> Vec<(Vector3<f64>, Fate)> {
         let speed = Rational::exactly(w);
         let Some(all) = case.body.rotations(speed) else { return Vec::new() };

@@ -1,11 +1,11 @@
 //! Functions along a family's curve, one of which vanishes wherever a stability verdict changes.
 //!
-//! A verdict changes where an eigenvalue reaches or leaves the imaginary axis. With the two classical gyrostats' polynomials in
-//! s = z^2, C(s) = det T_c (s^2 + a_c s + b_c) at constant speed and F(s) of the free rotor, and the motor's operational
-//! stiffness Z, the characteristic equation is A' s F(s) + Z(z) C(s) = 0. Where the motor damps, Im Z(iy) is not zero
-//! for y not zero. A root i y is then one of C and of F: their resultant vanishes, or, for y = 0, the constant term of C. Both are
-//! claims: `motor/crossing`, `currents/lagging` and `currents/damps`.
-//! Without damping the characteristic polynomial is one in s, whose roots change their kind where two are equal or one is zero.
+//! A verdict changes where an eigenvalue reaches or leaves the imaginary axis. With the polynomials in s = z^2 of the
+//! two classical gyrostats, C(s) = det T_c (s^2 + a_c s + b_c) at constant speed and F(s) of the free rotor, and the
+//! motor's operational stiffness Z, the characteristic equation is A' s F(s) + Z(z) C(s) = 0. If the motor damps, Im
+//! Z(iy) is nonzero for y nonzero. A root i y is then one of C and of F: their resultant vanishes, or, for y = 0, the
+//! constant term of C. Both are claims: `motor/crossing`, `currents/lagging` and `currents/damps`. Without damping the
+//! characteristic polynomial is one in s, whose roots change their kind where two are equal or one is zero.
 
 use super::approximation::Approximation;
 use super::reduced::Reduced;
@@ -16,8 +16,8 @@ use mechanics::linear_stability::{characteristic, derivative, resultant};
 use nalgebra::Vector3;
 use symbolic::{Formulas, Sym, symbols};
 
-/// The functions that do not vanish identically. `None` where they have irrational coefficients, or where not the whole
-/// family is stationary.
+/// The functions that do not vanish identically. `None` where they have irrational coefficients, or not the whole
+/// family is steady.
 pub fn critical(
     approximation: &Approximation,
     energies: &Energies<Rational>,
@@ -75,7 +75,7 @@ fn damped(Classical { kept, free, .. }: Classical) -> Vec<Conic> {
     all
 }
 
-/// The polynomials in s, and the residuals of a stationary motion, from the reduced equations.
+/// The polynomials in s, and the residuals of a steady motion, from the reduced equations.
 struct Classical {
     kept: [Conic; 3],
     free: [Conic; 3],

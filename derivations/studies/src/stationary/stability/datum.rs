@@ -1,4 +1,4 @@
-//! The data of a scene and of its motions by their names, and the scene with other values of them.
+//! The data of a scene and of its motions by name, and the scene with other values.
 
 use crate::ensemble::known::{Data, DatumPlace, Known};
 use crate::scene::{Scene, Setup};
@@ -21,9 +21,9 @@ pub struct Datum {
 pub(super) enum Where {
     /// A constant torque against the rotor's rotation, N m.
     Load,
-    /// w0, rad/s
+    /// The angular velocity w0, rad/s.
     Speed,
-    /// W, rad/s, in place of the motor's own steady speed.
+    /// The rotor speed W, rad/s, instead of the motor's own steady speed.
     RotorSpeed,
     /// Components of a datum of the scene.
     Data { place: DatumPlace, components: Vec<usize> },
@@ -54,11 +54,11 @@ impl fmt::Display for Unknown {
 impl std::error::Error for Unknown {}
 
 impl Datum {
-    /// The datum with a name of files or the command line: `load`, `omega0`, `rotor_speed`, `gravity`, `carrier.centre.3`,
-    /// `carrier.inertia.12`, `machine.field_speed` and the like.
+    /// The datum with a name of files or the command line: `load`, `omega0`, `rotor_speed`, `gravity`,
+    /// `carrier.centre.3`, `carrier.inertia.12`, `machine.field_speed` and others.
     ///
     /// # Errors
-    /// [`Unknown`] lists all names.
+    /// [`Unknown`] with all accepted names.
     pub fn named(scene: &Scene, name: &str) -> Result<Self, Unknown> {
         let all = Self::all(scene);
         let known = || all.iter().map(|datum| datum.name.clone()).collect();
@@ -111,7 +111,7 @@ impl Datum {
         matches!(self.place, Where::RotorSpeed)
     }
 
-    /// The place among the data of the machine.
+    /// The index among the data of the machine.
     pub(super) fn of_machine(&self) -> Option<usize> {
         match self.place {
             Where::Data { place: DatumPlace::Machine(place), .. } => Some(place),

@@ -1,8 +1,8 @@
-//! Connected families of stationary directions with one angular velocity, as rational curves.
+//! Connected families of steady directions with one angular velocity, as rational curves.
 //!
-//! A circle is v = c + x e1 + y e2 with |x e1|^2 + |y e2|^2 = 1 - |c|^2. On a sphere of motions stability depends only on the
-//! angle from the rotor's axis: either the tensor is isotropic and the weight along the axis, or there is neither rotation
-//! nor weight, and v is any direction. A meridian therefore represents the sphere.
+//! A circle is v = c + x e1 + y e2 with |x e1|^2 + |y e2|^2 = 1 - |c|^2. On a sphere of motions stability depends only
+//! on the angle from the rotor's axis: either the tensor is isotropic and the weight along the axis, or there is
+//! neither rotation nor weight, and v is any direction. A meridian therefore represents the sphere.
 
 use algebra::real::{Conic, ConicPoint, Enclosure, Ordered, Polynomial, Root, Surd};
 use field::{Rational, Scalar};
@@ -22,7 +22,7 @@ pub struct Family {
     pub sphere: bool,
 }
 
-/// A place on the curve: x, and the side y > 0 or y < 0.
+/// A point of the curve: x, and the side y > 0 or y < 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
     pub x: Rational,
@@ -78,14 +78,14 @@ impl Family {
         self.place(&x, &y)
     }
 
-    /// v at a rational place.
+    /// v at a rational point.
     pub fn exactly(&self, at: Sample) -> Option<[Surd; 3]> {
         let [first, second] = self.squares();
         let y = Surd::root_of((self.room - first * at.x * at.x) / second)?;
         self.place(&at.x.into(), &y.times(&y.integer(at.side.into())))
     }
 
-    /// v at an irrational place, enclosed.
+    /// v at an irrational point, enclosed.
     pub fn enclosed(&self, x: &Root, side: i32, bits: usize) -> Option<[Enclosure; 3]> {
         let [first, second] = self.squares();
         let x = x.enclosure(2 * bits);
@@ -119,7 +119,7 @@ impl Family {
         Some(cuts)
     }
 
-    /// A place between each cut and the next one; the last place lies before the first cut.
+    /// A point between each cut and the next one; the last point lies before the first cut.
     pub fn samples(&self, cuts: &[Cut]) -> Option<Vec<Sample>> {
         let next = cuts.iter().skip(1).chain(cuts.first());
         let all = cuts.iter().zip(next).map(|(cut, next)| {
@@ -129,7 +129,7 @@ impl Family {
         all.filter(|sample| !self.sphere || sample.as_ref().is_none_or(|sample| sample.side > 0)).collect()
     }
 
-    /// v at a cut, where one square root suffices.
+    /// v at a cut, if one square root suffices.
     pub fn exactly_at(&self, cut: &Cut) -> Option<[Surd; 3]> {
         if cut.at.side == 0 {
             let x = Surd::root_of(self.room / self.squares()[0])?;
@@ -165,7 +165,7 @@ impl Family {
         Some([component(0)?, component(1)?, component(2)?])
     }
 
-    /// |e1|^2, |e2|^2
+    /// The squares |e1|^2, |e2|^2.
     fn squares(&self) -> [Rational; 2] {
         self.across.map(|e| e.dot(&e))
     }
@@ -190,7 +190,7 @@ pub fn direction(axis: &[Enclosure; 3]) -> Option<Vector3<Rational>> {
     Some(Vector3::new(ratio(0)?, ratio(1)?, ratio(2)?))
 }
 
-/// a x b
+/// The vector product a x b.
 pub fn cross<R: Ordered>(a: &[R; 3], b: &[R; 3]) -> [R; 3] {
     std::array::from_fn(|i| {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);

@@ -1,4 +1,4 @@
-//! The verdicts on a scene's stationary motions, one for each angle of the rotor.
+//! The verdicts on a scene's steady motions, one for each angle of the rotor.
 
 use super::approximation::Approximation;
 use super::judged::Judged;
@@ -15,7 +15,7 @@ pub struct Judge<'a> {
     pub energies: &'a Energies<Rational>,
     pub motor: &'a MotorStates,
     pub kept: Kept,
-    /// W, rad/s, or the rotor's own momentum, N m s.
+    /// The rotor speed W, rad/s, or the rotor's own momentum, N m s.
     pub value: &'a Root,
     pub given: Given,
 }
@@ -23,25 +23,25 @@ pub struct Judge<'a> {
 /// The given quantity that all motions share.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Given {
-    /// w0, rad/s
+    /// The angular velocity w0, rad/s.
     Speed(Rational),
-    /// x.v, N m s
+    /// The angular momentum x.v about the vertical, N m s.
     Momentum(Rational),
 }
 
-/// (v, w0) within 2^-bits, where that precision is available.
+/// (v, w0) within 2^-bits, if that precision is available.
 pub type Enclosed<'a> = dyn Fn(usize) -> Option<([Enclosure; 3], Enclosure)> + 'a;
 
-/// The precisions that are tried, bits.
+/// The precisions tried, bits.
 pub(super) const BITS: [usize; 4] = [256, 512, 1024, 2048];
 
 impl Judge<'_> {
-    /// One verdict for each angle of a synchronous motor, else one.
+    /// One verdict for each angle of a synchronous motor, otherwise one.
     pub fn verdicts(&self, enclosed: &Enclosed<'_>) -> Vec<Judged> {
         self.angles().into_iter().map(|angle| self.verdict(enclosed, angle, &BITS)).collect()
     }
 
-    /// The angles of a synchronous motor, else a single `None`.
+    /// The angles of a synchronous motor, otherwise a single `None`.
     pub(super) fn angles(&self) -> Vec<Option<&Angle>> {
         match self.motor {
             MotorStates::InStep { angles, .. } => angles.iter().map(Some).collect(),
@@ -54,7 +54,7 @@ impl Judge<'_> {
         angle.is_some_and(|angle| angle.slope == 0) || self.speeds_merge()
     }
 
-    /// W, or the rotor's own momentum, where it is rational.
+    /// W, or the rotor's own momentum, if rational.
     pub(super) fn value_as_fraction(&self) -> Option<Rational> {
         let value = self.value.enclosure(BITS[0]).simplest();
         Root::rational(value)?.compare(self.value).is_eq().then_some(value)
@@ -93,7 +93,7 @@ impl Judge<'_> {
         speeds.iter().any(|slip| slip.slope == 0 && slip.speed.compare(self.value).is_eq())
     }
 
-    /// (w0, v, W, cos g, sin g), enclosed.
+    /// The state (w0, v, W, cos g, sin g), enclosed.
     fn place(
         &self,
         enclosed: &Enclosed<'_>,
@@ -106,8 +106,8 @@ impl Judge<'_> {
         self.filled(v, speed, value, angle.map(|angle| angle.half_tangent.as_ref().map(|t| t.enclosure(bits))), one)
     }
 
-    /// The place as fractions, if it is rational: the simplest fractions in the enclosures are tried, and are the place if they satisfy
-    /// the conditions, which have only one solution there. The cosine may be a square root.
+    /// The state as fractions, if it is rational: the simplest fractions in the enclosures are the state if they
+    /// satisfy the conditions, which have only one solution there. The cosine may be a square root.
     fn exact(&self, enclosed: &Enclosed<'_>, angle: Option<&Angle>) -> Option<[Surd; 7]> {
         let (v, speed) = enclosed(BITS[0])?;
         let (v, speed) = (v.each_ref().map(Enclosure::simplest), speed.simplest());
@@ -129,7 +129,7 @@ impl Judge<'_> {
         Some([speed, v1, v2, v3, rotor_speed, cos, sin])
     }
 
-    /// `half_tangent`: `None` without an angle, `Some(None)` at half a turn.
+    /// The state; `half_tangent`: `None` without an angle, `Some(None)` at half a turn.
     pub(super) fn filled<R: Ordered>(
         &self,
         v: [R; 3],
@@ -162,7 +162,7 @@ impl Judge<'_> {
     }
 }
 
-/// (cos g, sin g), where the sine is rational; (1, 0) without an angle.
+/// (cos g, sin g), if the sine is rational; (1, 0) without an angle.
 pub(super) fn circle_point(angle: Option<&Angle>) -> Option<[Surd; 2]> {
     let (zero, one) = (Rational::int(0), Rational::int(1));
     match angle.map(|angle| &angle.half_tangent) {

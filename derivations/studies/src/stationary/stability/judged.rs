@@ -13,22 +13,23 @@ pub struct Judged {
     pub verdict: StabilityVerdict,
     /// The integrals, each with a zero eigenvalue.
     pub integrals: Vec<Integral>,
-    /// The number of directions of a family without a change of the integrals: as many further zero eigenvalues.
+    /// The number of directions of a family without a change of the integrals, each with a further zero eigenvalue.
     pub along: usize,
     /// The number of directions of the family in which the energy need not be definite.
     pub aside: usize,
-    /// The number of explained zero eigenvalues; a conservative system leaves an even number of others.
+    /// The number of explained zero eigenvalues; for a conservative system the number of the others is even.
     pub zeros: usize,
-    /// The half-planes of the other eigenvalues, where the signs are known.
+    /// The half-planes of the other eigenvalues, if the signs are known.
     pub roots: Option<HalfPlanes>,
-    /// The signature of the energy's second variation on the level of the integrals, across the family; `None` where the motor feeds
+    /// The signature of the energy's second variation on the level of the integrals, transverse to the family; `None`
+    /// if the motor supplies energy.
     /// the energy.
     pub energy: Option<Inertia>,
     /// Whether the energy is conserved; otherwise it decreases unless the motor drives.
     pub conservative: bool,
     /// Bounds of the largest growth rate of an unstable motion, 1/s.
     pub growth: Option<[f64; 2]>,
-    /// det(mu - A) without the structural zeros, highest power first, rounded.
+    /// det(mu - A) without the structural zeros, the highest power first, rounded.
     pub polynomial: Vec<f64>,
 }
 
@@ -37,7 +38,7 @@ pub struct Judged {
 pub struct Among<R> {
     /// Independent directions dv of the family.
     pub tangents: Vec<[R; 3]>,
-    /// An axis n of symmetry, oblique to v: x.n is conserved.
+    /// An axis n of symmetry, not parallel to v: x.n is conserved.
     pub axis: Option<[R; 3]>,
     /// A number r with z^2 + r a known divisor of the characteristic polynomial.
     pub pair: Option<R>,
@@ -67,7 +68,8 @@ impl Judged {
         }
     }
 
-    /// The verdict on an isolated motion at (w0, v, W, cos g, sin g). [`Reason::TooFine`] means that finer numbers are needed.
+    /// The verdict on an isolated motion at (w0, v, W, cos g, sin g). [`Reason::TooFine`] means that a higher precision
+    /// is needed.
     pub fn at<R: Ordered>(approximation: &Approximation, place: &[R; 7], one: &R, rounded: impl Fn(&R) -> f64) -> Self {
         Judged::among(approximation, place, &Among::none(), one, rounded)
     }
@@ -123,7 +125,7 @@ impl Judged {
         let aside = beside.len();
         let across = [constraints, beside].concat();
         let energy = if *fed { None } else { Inertia::on_subspace(&linear.energy, &across, one) };
-        // where the torque depends on the slip, a slope that damps here damps nearby too
+        // if the torque depends on the slip, a slope that damps here damps nearby too
         let (of_slip, of_currents) = linear.damping.split_at(linear.damping.len().min(1));
         let damps = *steady || of_slip.iter().all(|slope| slope.sign() == Some(1));
         let falls = damps && of_currents.iter().all(|one| one.sign().is_some_and(|sign| sign >= 0));
@@ -143,7 +145,8 @@ impl Judged {
         }
     }
 
-    /// Whether the number of unstable eigenvalues equals that of the energy's negative squares wherever the theorem applies.
+    /// Whether the number of unstable eigenvalues equals the number of negative squares of the energy, wherever the
+    /// theorem applies.
     pub fn is_consistent(&self) -> bool {
         match (self.roots, self.energy) {
             (Some(roots), Some(energy)) if !self.conservative && roots.axis == 0 => roots.right == energy.negative,
@@ -152,7 +155,7 @@ impl Judged {
     }
 }
 
-/// The integrals, and the space on which the energy is to be definite.
+/// The integrals, and the space on which the energy must be definite.
 struct Kept<R> {
     integrals: Vec<Integral>,
     /// The integrals' differentials.
@@ -162,7 +165,7 @@ struct Kept<R> {
 }
 
 impl<R: Ordered> Kept<R> {
-    /// The integrals at a place; `None` where it is not known whether x lies along v.
+    /// The integrals at a state; `None` where it is unknown whether x is parallel to v.
     fn of(approximation: &Approximation, place: &[R; 7], among: &Among<R>, linear: &Linear<R>) -> Option<Self> {
         let (mut integrals, mut rows) = (approximation.integrals.clone(), linear.integrals.clone());
         let [speed, v1, v2, v3, ..] = place;

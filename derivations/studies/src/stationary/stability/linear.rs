@@ -1,13 +1,13 @@
-//! The linearisation at a stationary motion, and the second variation of the energy, by differentiation.
+//! The linearisation at a steady motion, and the second variation of the energy, by differentiation.
 //!
-//! The state, in deviations from the stationary motion, is w, v, the rotor's angle and speed if they are states of the machine,
-//! and the currents. With x = dT/dw and p' = dT/dphi' the law is
+//! The state, in deviations from the steady motion, is w, v, the rotor's angle and speed if they are states of the
+//! machine, and the currents. With x = dT/dw and p' = dT/dphi' the law is
 //!
 //!   x' + w x x = Ge x v ,   v' = v x w ,   p'' = M ,   and the windings' own ;
 //!
-//! it conserves v.v and x.v, and p' where no torque acts. The energy in the frame of the rotating field, E - W p' (with the work of
-//! the constant load), never grows, unless a supply or sliding conductors feed it. With the multipliers
-//! w0 and lambda it has a critical point at the motion:
+//! It conserves v.v and x.v, and p' if no torque acts. The energy in the frame of the rotating field, E - W p' (with
+//! the work of the constant load), never increases, unless a supply or sliding conductors change it. With the
+//! multipliers w0 and lambda it has a critical point at the motion:
 //!
 //!   G = E - W p' - w0 x.v + 1/2 lambda v.v ,    lambda = w0 x.v + Ge.v .
 
@@ -18,21 +18,21 @@ use mechanics::momentum::absolute_rate;
 use motor::{Machine, stored_energy, torque_and_current_rates};
 use nalgebra::Vector3;
 
-/// The matrices at a stationary motion.
+/// The matrices at a steady motion.
 #[derive(Clone, Debug)]
 pub struct Linear<S> {
     /// A of y' = A y.
     pub rates: Vec<Vec<S>>,
     /// The second derivatives of G.
     pub energy: Vec<Vec<S>>,
-    /// The residuals of the law, zero at a stationary motion.
+    /// The residuals of the law, which are zero at a steady motion.
     pub missing: Vec<S>,
-    /// The differentials of the integrals, as [`Integral`] lists them.
+    /// The differentials of the integrals, in the order of [`Integral`].
     pub integrals: Vec<Vec<S>>,
     /// x, N m s, and its differential, component by component.
     pub momentum: Vec<S>,
     pub turning: Vec<Vec<S>>,
-    /// The coefficients of the dissipation: -dm/dg', N m s, of the slip, and R, ohm, of each current.
+    /// The coefficients of the dissipation: -dm/dg' (N m s) of the slip, and R (ohm) of each current.
     pub damping: Vec<S>,
 }
 
@@ -43,11 +43,11 @@ pub enum Integral {
     Vertical,
     /// x.v, the angular momentum about the vertical.
     Momentum,
-    /// The rotor's own angular momentum, where no torque acts on it.
+    /// The rotor's own angular momentum, if no torque acts on it.
     RotorMomentum,
     /// The angular momentum about an axis of symmetry.
     Axis,
-    /// |x|^2 of a gyrostat without weight, where it is independent of the others.
+    /// |x|^2 of a gyrostat without weight, if it is independent of the others.
     Size,
 }
 
@@ -88,7 +88,7 @@ pub fn missing<P: Base, S: Over<P>, M: Machine<P>>(
     missing
 }
 
-/// The first variation of the residuals, for deviations from a stationary motion and their rates.
+/// The first variation of the residuals, for deviations from a steady motion and their rates.
 pub fn variation<P: Base, S: Over<P>, M: Machine<P>>(
     energies: &Energies<P>,
     machine: &M,
@@ -101,7 +101,7 @@ pub fn variation<P: Base, S: Over<P>, M: Machine<P>>(
     missing(energies, machine, &state, &rates).into_iter().map(|one| one.slope).collect()
 }
 
-/// E - W p' - w0 x.v + 1/2 lambda v.v, J.
+/// The function G = E - W p' - w0 x.v + 1/2 lambda v.v, J.
 fn energy<P: Base, S: Over<P>, M: Machine<P>>(
     energies: &Energies<P>,
     machine: &M,
@@ -119,7 +119,7 @@ fn energy<P: Base, S: Over<P>, M: Machine<P>>(
 }
 
 impl<S: Scalar> Linear<S> {
-    /// The linearisation at a stationary motion. `free`: no torque ever acts on the rotor.
+    /// The linearisation at a steady motion. `free`: no torque ever acts on the rotor.
     pub fn at<P: Base, M: Machine<P>>(
         energies: &Energies<P>,
         machine: &M,

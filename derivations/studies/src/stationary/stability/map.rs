@@ -1,8 +1,8 @@
-//! Stability maps, over two data, of the rotation about an axis that carries rotor and weight.
+//! Stability maps, over two data, of the rotation about an axis that contains rotor and weight.
 //!
-//! At one value of the first datum two polynomials in the second decide: b, and a^2 - 4 b (`reduced`), obtained by running the
-//! law with the datum as an unknown. Their real roots are isolated, and between two neighbours nothing changes: every
-//! column of the map is exact, boundaries included.
+//! At one value of the first datum two polynomials in the second decide: b, and a^2 - 4 b (`reduced`), obtained by
+//! evaluating the law with the datum as an unknown. Their real roots are isolated, and the verdict is constant between
+//! two adjacent roots: every column of the map is exact, including the boundaries.
 
 use super::reduced::{Fate, Reduced};
 use crate::stationary::energies::Energies;
@@ -21,12 +21,12 @@ pub struct OneAxis<S: Scalar = Rational> {
 /// A column of the map: the boundaries in the second datum, ascending, and the verdicts between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// The boundaries; there is one fate more than boundaries.
+    /// The boundaries; there is one verdict more than boundaries.
     pub edges: Vec<Edge>,
     pub fates: Vec<Fate>,
 }
 
-/// A zero of a decisive polynomial.
+/// A zero of a deciding polynomial.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Edge {
     /// The value of the second datum.
@@ -36,7 +36,8 @@ pub struct Edge {
 }
 
 impl OneAxis {
-    /// `None` where rotor, weight and a principal axis are not parallel. `hanging`: the weight points down.
+    /// The gyrostat; `None` where rotor, weight and a principal axis are not parallel. `hanging`: the weight points
+    /// down.
     pub fn of(energies: &Energies<Rational>, hanging: bool) -> Option<Self> {
         let down = energies.weight.iter().find_map(|g| g.sign().filter(|sign| *sign != 0))? > 0;
         Self::about(energies, down == hanging)
@@ -54,8 +55,8 @@ impl OneAxis {
 }
 
 impl<S: Scalar> OneAxis<S> {
-    /// The rotation about the axis itself, or its opposite, whatever the direction of the weight. Expressions must be in normal
-    /// form: the test for zero is structural.
+    /// The rotation about the axis itself, or its opposite, for any direction of the weight. Expressions must be in
+    /// normal form: the test for zero is structural.
     pub fn about(energies: &Energies<S>, along: bool) -> Option<Self> {
         let axis = (0..3).find(|i| !energies.mixed[*i].is_zero())?;
         let alone = |v: &Vector3<S>| (0..3).all(|j| j == axis || v[j].is_zero());
@@ -73,8 +74,8 @@ impl<S: Scalar> OneAxis<S> {
 }
 
 impl Column {
-    /// The column over the second datum, an unknown in the reduced motion `over`, within a range; `motion` gives the motion at its
-    /// values. `None` where there is no motion.
+    /// The column over the second datum, an unknown in the reduced motion `over`, within a range; `motion` gives the
+    /// motion at its values. `None` where there is no motion.
     ///
     /// # Errors
     /// [`NotPolynomial`] where b or a^2 - 4 b is not polynomial in the unknown.
@@ -94,11 +95,11 @@ impl Column {
         Column::cut(over, range, &roots, &fate)
     }
 
-    /// The column where the rotor's speed is an irrational number, a second unknown of `over`: coefficients and signs are computed
-    /// in its number field.
+    /// The column where the rotor's speed is an irrational number, a second unknown of `over`: coefficients and signs
+    /// are computed in its number field.
     ///
     /// # Errors
-    /// [`NotPolynomial`].
+    /// [`NotPolynomial`] where b or a^2 - 4 b is not polynomial in the unknowns.
     pub fn with_kept(
         over: &Reduced<Sym>,
         unknowns: [Sym; 2],

@@ -1,19 +1,21 @@
-//! Stability of stationary motions, exactly.
+//! Stability of steady motions, exactly.
 //!
 //! # Overview
-//! * [`state`]: stationary motions and deviations from them;
-//! * [`linear`]: the linearisation and the second variation of the energy, by differentiation, over any field;
+//! * [`state`]: steady motions and deviations from them;
+//! * [`linear`]: the linearisation and the second variation of the energy, by differentiation, over any scalar type;
 //! * [`approximation`]: both for a scene's gyrostat and motor, symbolic, evaluated over fractions and enclosures;
-//! * [`verdict`]: the closed set of verdicts, and the theorems behind them; [`judged`]: a verdict with its evidence;
-//! * [`judge`]: verdicts on a scene's motions, with enclosures fine enough, and with fractions where all is rational;
-//! * [`family`]: circles and spheres of motions as rational curves; [`critical`]: functions on them, one of which vanishes
-//!   where a verdict changes; [`along`]: the verdicts, arc by arc; [`symmetry`]: families of which one member represents all;
-//! * [`reduced`]: the two classical gyrostats in three unknowns, for theorems, maps and pictures;
+//! * [`verdict`]: the verdicts, and the theorems behind them; [`judged`]: a verdict with its evidence;
+//! * [`judge`]: verdicts on a scene's motions, with enclosures of sufficient precision, and with fractions if all is
+//!   rational;
+//! * [`family`]: circles and spheres of motions as rational curves; [`critical`]: functions on them, one of which
+//!   vanishes where a verdict changes; [`along`]: the verdicts, arc by arc; [`symmetry`]: families of which one member
+//!   represents all;
+//! * [`reduced`]: the two classical gyrostats in three unknowns, for theorems, maps and figures;
 //! * [`cone`]: stability at every point of the cone of axes, exactly;
-//! * [`map`]: stability maps of the rotation about an axis with rotor and weight, over two speeds; [`plane`]: over any two data
-//!   ([`datum`]); [`region`]: of every motion of any gyrostat, judged at nodes and followed between them.
+//! * [`map`]: stability maps of the rotation about an axis with rotor and weight, over two speeds; [`plane`]: over any
+//!   two data ([`datum`]); [`region`]: of every motion of any gyrostat, judged at nodes and continued between them.
 //!
-//! The theorems, in letters, are claims in `derivations/theorems/src/stability/`.
+//! The theorems, in symbols, are claims in `derivations/theorems/src/stability/`.
 
 pub mod along;
 pub mod approximation;

@@ -17,7 +17,7 @@ use field::{Rational, Scalar};
 use std::fmt;
 use symbolic::{Hypotheses, NotPolynomial, Sym, normal};
 
-/// The reason for which there is no map.
+/// The reason why there is no map.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoPlane {
     Bench,

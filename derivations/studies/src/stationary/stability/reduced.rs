@@ -14,7 +14,7 @@ use field::Scalar;
 use mechanics::rotation::{adjugate, determinant};
 use nalgebra::{Matrix3, Vector3};
 
-/// A stationary motion of a gyrostat with constant relative speed or own momentum of the rotor.
+/// A steady motion of a gyrostat with constant relative speed or own momentum of the rotor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reduced<S: Scalar> {
     /// T, kg m^2: A* where the rotor's relative speed is constant, A where its own momentum is

@@ -1,10 +1,10 @@
-//! Stationary motions, the layout of states, and states near stationary motions along deviations.
+//! Steady motions, the layout of states, and states near steady motions along deviations.
 
 use field::{Base, Circle, Over, Scalar, Tangent};
 use motor::{Machine, RotorState, steady_currents};
 use nalgebra::Vector3;
 
-/// A stationary motion.
+/// A steady motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StationaryState<S> {
     /// w0, rad/s
@@ -67,7 +67,7 @@ impl<S: Scalar> StationaryState<S> {
     }
 
     /// The state along a deviation with these derivatives, the currents from their steady values. (Without steady values
-    /// from zero, which the residuals then show to be no stationary motion.)
+    /// from zero, which the residuals then show to be no steady motion.)
     pub(super) fn state<P: Base, M: Machine<P>>(&self, machine: &M, slopes: &[S]) -> State<Tangent<S>>
     where
         S: Over<P>,

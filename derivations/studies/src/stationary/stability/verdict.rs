@@ -1,4 +1,4 @@
-//! Stability verdicts on a stationary motion by its linearisation and energy.
+//! Stability verdicts on a steady motion by its linearisation and energy.
 //!
 //! Three theorems, each with hypotheses that are checked exactly:
 //!
@@ -10,7 +10,7 @@
 //! For a motion in a connected family all three hold for the family: its members share w0 and lambda, hence the function G,
 //! which is stationary along the family. A direction of the family in which no integral changes gives one more
 //! zero eigenvalue, and G does not change along it. If G is definite across the family, the family is stable (Morse, Bott); if
-//! all other eigenvalues have negative real parts, motions tend to the stationary motions of the family and its neighbours.
+//! all other eigenvalues have negative real parts, motions tend to the steady motions of the family and its neighbours.
 //! Directions in which an integral changes are no exception: the neighbours have other values of the integrals.
 //!
 //! Without weight x is constant in space, and any multiple of |x - p v|^2, p = x.v, may be added to G: it suffices that G is
@@ -21,12 +21,12 @@
 
 use mechanics::linear_stability::{HalfPlanes, Inertia};
 
-/// The stability of a stationary motion.
+/// The stability of a steady motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StabilityVerdict {
     /// Small deviations stay small: the energy is definite on the level of the integrals.
     Stable,
-    /// Small deviations decay, on each level of the integrals towards the stationary motion of this level.
+    /// Small deviations decay, on each level of the integrals towards the steady motion of this level.
     AsymptoticallyStableModuloIntegrals,
     /// This many eigenvalues have a positive real part.
     Unstable { right: usize },
@@ -34,7 +34,7 @@ pub enum StabilityVerdict {
     CannotTell(Reason),
 }
 
-/// The reason for which there is no verdict.
+/// The reason why there is no verdict.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
     /// No eigenvalue has a positive real part, and the energy has this many negative squares: the motion can only be stable
@@ -50,7 +50,7 @@ pub enum Reason {
     PullOut,
     /// The sign of a decisive quantity is not known with 2048 bits.
     TooFine,
-    /// The integrals' zero eigenvalues are missing: this is no stationary motion.
+    /// The integrals' zero eigenvalues are missing: this is no steady motion.
     NotStationary,
 }
 

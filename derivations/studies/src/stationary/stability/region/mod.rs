@@ -1,4 +1,4 @@
-//! Maps of all stationary motions over any two data of a scene; a rotor's axis may be oblique, its speed irrational.
+//! Maps of all steady motions over any two data of a scene; a rotor's axis may be oblique, its speed irrational.
 //!
 //! # Overview
 //! * [`Region`]: a scene, two data with their ranges, and the grid;
@@ -40,7 +40,7 @@ pub struct Region<'a> {
     common: OnceLock<Result<Arc<Ground>, NoMotor>>,
 }
 
-/// The reason for which there is no map.
+/// The reason why there is no map.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoRegion {
     Bench,

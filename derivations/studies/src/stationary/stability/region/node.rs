@@ -1,4 +1,4 @@
-//! All stationary motions at two values of the data, each with its verdict.
+//! All steady motions at two values of the data, each with its verdict.
 
 use super::Region;
 use super::law::Ground;
@@ -29,7 +29,7 @@ pub struct Node {
     pub place: NodeMotions,
 }
 
-/// The motions at a node, or the reason for which there are none.
+/// The motions at a node, or the reason why there are none.
 #[derive(Clone, Debug)]
 pub enum NodeMotions {
     /// Isolated motions, and families.
