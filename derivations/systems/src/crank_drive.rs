@@ -1,23 +1,25 @@
-//! The electromechanical drive of a crank and slider: alternating source, transformer, rectifier, direct-current motor.
+//! A crank-slider mechanism driven electrically: alternating voltage source, transformer, rectifier and direct-current
+//! motor.
 //!
-//! Charges and flows are treated like displacements and velocities: an inductance is a mass, a capacitor a spring,
-//! a resistance friction. The branches are: 1 primary, 2 secondary winding, 3 smoothing capacitor, 4 choke behind the
-//! bridge of diodes, 5 armature, 6 crank, 7 slider. Kirchhoff's law at the capacitor, f3 = f4 - f5, is integrable:
-//! q3 = q4 - q5, and L needs no massless coordinate.
+//! Charges and currents are treated like displacements and velocities: an inductance corresponds to a mass, a capacitor
+//! to a spring, a resistance to viscous friction. The branches are: 1 primary winding, 2 secondary winding, 3 smoothing
+//! capacitor, 4 choke behind the diode bridge, 5 armature; 6 crank, 7 slider. Kirchhoff's law at the capacitor, f3 = f4
+//! - f5, is integrable: q3 = q4 - q5. Therefore the Lagrangian L needs no massless coordinate.
 //!
-//! * Of the bridge's four diodes two carry (f4 + f2)/2 and two (f4 - f2)/2, by symmetry; their content is in D.
-//! * The field of the motor is constant: the energy K q6 f5 gives the armature the voltage -K f6 and the crank the torque
-//!   K f5, which together do no work.
+//! * By symmetry two of the four diodes of the bridge carry the current (f4 + f2)/2 and two carry (f4 - f2)/2; their
+//!   dissipation potentials (contents) are contained in D.
+//! * The field of the motor is constant: the energy K q6 f5 gives the voltage -K f6 in the armature and the torque K f5
+//!   on the crank. The total power of the two is zero.
 //!
-//! q7 and its rate are constrained to q6 by the rod; all other equations are explicit. Since only the charge q3 acts, there are nine
-//! first-order equations in (f1, f2, q3, f4, f5, q6, f6, q7, f7).
+//! The rod couples q7 and its rate to q6 by a constraint; all other equations are explicit. Of the charges only q3
+//! occurs in the equations, hence there are nine first-order equations in (f1, f2, q3, f4, f5, q6, f6, q7, f7).
 
 use super::crank_slider::CrankSlider;
 use field::{Analytic, Base, Over};
 use mechanics::constrained::energies::{Energies, Reducible};
 
 reader::quantities! {
-    /// Everything before the crank.
+    /// The electrical circuit, up to the motor.
     pub struct Circuit {
         /// amplitude of the source
         amplitude: "V",
@@ -66,14 +68,14 @@ pub struct CrankDrive<P> {
 }
 
 impl<P: Base> CrankDrive<P> {
-    /// E(t) = E0 sin(Omega t)
+    /// The voltage of the source, E(t) = E0 sin(Omega t).
     pub fn source<S: Over<P> + Analytic>(&self, time: S) -> S {
         S::lift(self.circuit.amplitude) * (S::lift(self.circuit.frequency) * time).circle().sin
     }
 
-    /// The content of a diode: 1/2 a i^2 - 1/2 d i (sqrt(i^2 + knee^2) - knee), a and d half the sum and half the
-    /// difference of its two differential resistances. The voltage is the derivative; the differential resistance lies
-    /// between the two.
+    /// The content (integral of the voltage over the current) of a diode: 1/2 a i^2 - 1/2 d i (sqrt(i^2 + knee^2) -
+    /// knee), where a and d are half the sum and half the difference of its two differential resistances. Its
+    /// derivative is the voltage; the differential resistance lies between the two limits.
     pub fn diode<S: Over<P> + Analytic>(&self, current: S) -> S {
         let [forward, reverse, knee] = [self.circuit.forward, self.circuit.reverse, self.circuit.knee].map(S::lift);
         let (mean, half_gap) = ((reverse + forward).half(), (reverse - forward).half());
@@ -81,7 +83,7 @@ impl<P: Base> CrankDrive<P> {
         (mean * current.squared() - half_gap * current * bent).half()
     }
 
-    /// 1/2 sum L f^2 of the windings, with M f1 f2 between the first two.
+    /// The magnetic energy 1/2 sum L f^2 of the windings, including the mutual term M f1 f2 of the first two.
     pub fn magnetic<S: Over<P>>(&self, [f1, f2, f4, f5]: [S; 4]) -> S {
         let [l1, l2, l4, l5, mutual] =
             [self.circuit.l1, self.circuit.l2, self.circuit.l4, self.circuit.l5, self.circuit.mutual].map(S::lift);

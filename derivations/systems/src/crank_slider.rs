@@ -1,13 +1,15 @@
-//! Crank and connecting rod: a crank that turns about a fixed axis drives a slider on a line through that axis.
+//! A crank-slider mechanism: a crank rotates about a fixed axis and moves, through a connecting rod, a slider on a line
+//! through that axis.
 //!
-//! The coordinates are the crank's angle and the slider's place; the rod's length is the constraint between them. The rod's
-//! mass is divided between its ends with its mass and centre unchanged, and added to crank and slider.
+//! The coordinates are the angle of the crank and the position of the slider; the constraint fixes the length of the
+//! rod. The rod's mass is replaced by point masses at its ends, which preserve its total mass and centre of mass, and
+//! is included in the data of crank and slider.
 
 use field::{Analytic, Base, Over};
 use mechanics::constrained::energies::{Energies, Reducible};
 
 reader::quantities! {
-    /// q = (angle of the crank from the slider's line, distance of the slider from the axis).
+    /// The coordinates q = (angle of the crank from the slider's line, distance of the slider from the axis).
     pub struct CrankSlider {
         /// J, moment of inertia of what turns, with the rod's mass at the pin
         inertia: "kg m^2" > 0,
@@ -23,23 +25,23 @@ reader::quantities! {
 }
 
 impl<P: Base> CrankSlider<P> {
-    /// T = 1/2 J theta'^2 + 1/2 m x'^2
+    /// The kinetic energy T = 1/2 J theta'^2 + 1/2 m x'^2.
     pub fn kinetic<S: Over<P>>(&self, [turning, sliding]: [S; 2]) -> S {
         (S::lift(self.inertia) * turning.squared() + S::lift(self.mass) * sliding.squared()).half()
     }
 
-    /// P = G sin theta
+    /// The potential energy P = G sin theta.
     pub fn potential<S: Over<P> + Analytic>(&self, angle: S) -> S {
         S::lift(self.weight) * angle.circle().sin
     }
 
-    /// f = (x - r cos theta)^2 + (r sin theta)^2 - l^2
+    /// The constraint f = (x - r cos theta)^2 + (r sin theta)^2 - l^2.
     pub fn closure<S: Over<P> + Analytic>(&self, [angle, slider]: [S; 2]) -> S {
         let (point, r) = (angle.circle(), S::lift(self.crank));
         (slider - r * point.cos).squared() + (r * point.sin).squared() - S::lift(self.rod).squared()
     }
 
-    /// x = r cos theta + sqrt(l^2 - r^2 sin^2 theta): the slider on the far side of the axis.
+    /// The position x = r cos theta + sqrt(l^2 - r^2 sin^2 theta) of the slider; the positive root is taken.
     pub fn slider<S: Over<P> + Analytic>(&self, angle: S) -> S {
         let (point, r) = (angle.circle(), S::lift(self.crank));
         r * point.cos + (S::lift(self.rod).squared() - (r * point.sin).squared()).sqrt()

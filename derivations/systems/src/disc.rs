@@ -1,9 +1,10 @@
 //! A thin disc that rolls on a horizontal plane.
 //!
-//! Coordinates (r, e, e'): the centre and two orthogonal unit vectors in the disc, with the masses (m, m, m, P, ..., P); P is
-//! the second moment of the mass in each direction, m a^2/4 for a uniform disc and m a^2/2 for a ring. The axis n = e x e'
-//! is not needed. z points upwards. The lowest point of the disc is r - a (e_z e + e'_z e')/s with s^2 = e_z^2 + e'_z^2;
-//! where it touches the plane, s = z/a, and that keeps the rolling algebraic.
+//! The coordinates are (r, e, e'): the centre and two orthonormal vectors in the disc, with the masses (m, m, m, P,
+//! ..., P). Here P is the second moment of mass in each direction, m a^2/4 for a uniform disc and m a^2/2 for a ring.
+//! The axis n = e x e' is not needed as a coordinate. The z axis points upwards. The lowest point of the disc is r - a
+//! (e_z e + e'_z e')/s with s^2 = e_z^2 + e'_z^2. If it touches the plane, s = z/a, so that the condition of rolling is
+//! algebraic.
 
 use field::{Analytic, Base, Over, Scalar};
 use mechanics::constrained::newton::{Reactions, at_point};
@@ -24,7 +25,7 @@ reader::quantities! {
     }
 }
 
-/// The coordinates, one vector after the other.
+/// The coordinates as three vectors.
 fn vectors<S: Scalar>([x, y, z, ex, ey, ez, fx, fy, fz]: [S; 9]) -> [[S; 3]; 3] {
     [[x, y, z], [ex, ey, ez], [fx, fy, fz]]
 }
@@ -48,7 +49,8 @@ impl<P: Base> PointSystem<9> for Disc<P> {
     }
 }
 
-/// Orthonormality of the two vectors, contact with the plane, and no slip of the contact point along x and y.
+/// The constraints: orthonormality of the two vectors, contact with the plane, and no slip of the contact point along x
+/// and y.
 impl<P: Base> Constrained<9, 6> for Disc<P> {
     fn constraints<S: Over<P>>(&self, at: &State<S, 9>) -> [Constraint<S>; 6] {
         let ([r, e, f], [dr, de, df]) = (vectors(at.place), vectors(at.velocity));
@@ -65,12 +67,13 @@ impl<P: Base> Constrained<9, 6> for Disc<P> {
     }
 }
 
-/// The reactions: of rigidity on the two vectors; of the plane at the contact point, normal and tangential.
+/// The reactions: internal forces of the rigid disc on the two vectors; the normal and the tangential force of the
+/// plane at the contact point.
 impl<P: Base> Reactions<9, 6> for Disc<P> {
     fn reactions<S: Over<P>>(&self, at: &State<S, 9>) -> [[S; 9]; 6] {
         let [r, e, f] = vectors(at.place);
         let (o, l) = (S::zero(), S::one());
-        // the place in the disc of the point that touches, by its coordinates along e and e'
+        // the coordinates of the contact point along e and e'
         let radius = S::lift(self.radius);
         let [along_e, along_f] = [e[2], f[2]].map(|height| -radius * radius * height / r[2]);
         let push = |force: [S; 3]| {
@@ -95,7 +98,8 @@ impl<P: Base> Reactions<9, 6> for Disc<P> {
     }
 }
 
-/// q = (x, y, psi, theta, phi) with Euler's angles, theta from the vertical to the axis; p = (psi', theta', phi').
+/// The chart q = (x, y, psi, theta, phi) with Euler's angles, theta measured from the vertical to the axis; p = (psi',
+/// theta', phi').
 impl<P: Base> Charted<9, 5, 3> for Disc<P> {
     fn place<S: Over<P> + Analytic>(&self, _time: S, [x, y, psi, theta, phi]: [S; 5]) -> [S; 9] {
         let axes = euler([psi, theta, phi]);
@@ -103,7 +107,8 @@ impl<P: Base> Charted<9, 5, 3> for Disc<P> {
         [x, y, S::lift(self.radius) * theta.circle().sin, e[0], e[1], e[2], f[0], f[1], f[2]]
     }
 
-    /// The centre moves by -a (phi' + psi' cos theta) along the plane's line and by a theta' sin theta across it.
+    /// The centre moves with velocity -a (phi' + psi' cos theta) along the horizontal diameter of the disc, and a
+    /// theta' sin theta perpendicular to it.
     fn rates<S: Over<P> + Analytic>(&self, _time: S, q: [S; 5], [spin, tilt, roll]: [S; 3]) -> [S; 5] {
         let (psi, theta) = (q[2].circle(), q[3].circle());
         let radius = S::lift(self.radius);

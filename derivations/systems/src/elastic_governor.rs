@@ -1,16 +1,19 @@
-//! The friction governor with centrifugal balls and an intermediate wheel with an elastic rim (rolling after Keldysh).
+//! A friction governor with flyballs and an intermediate wheel with an elastic rim; the rim rolls according to
+//! Keldysh's theory.
 //!
-//! The drum of radius R with the balls turns with omega1, the disc with omega2; the wheel touches the disc at rho = x - c
-//! from its axis. x is the place of the sleeve, with which the wheel moves along its axle. The balls hang on a rhombus of
-//! links of length l, so that they are at sqrt(l^2 - x^2/4) from the axis and at the height x/2.
+//! The drum of radius R, together with the balls, rotates at omega1, the disc at omega2. The wheel touches the disc at
+//! the distance rho = x - c from the disc's axis; x is the position of the sleeve, which carries the wheel along its
+//! axle. The balls hang on a rhombus of links of length l: they are at the distance sqrt(l^2 - x^2/4) from the axis and
+//! at the height x/2.
 //!
-//! Coordinates (phi1, phi2, phi, x, ball, ball, lambda, psi) with the moments of inertia for the masses of angles. lambda is
-//! the displacement of the wheel's centre across its plane from the centre of the contact, psi the angle from the plane of
-//! the wheel to the line of rolling. The centre of the contact does not slip sideways, x' - lambda' = R omega1 psi, and
-//! the curvature of the line is alpha lambda - beta psi. The rim pushes with a lambda and b psi, the signs that (3.17) of
-//! Manglieva and Beknazarov prints: a rim that resists has a < 0 and b < 0, and its stiffnesses are -a and -b. Their printed
-//! Z has the stiffness itself, a force -a lambda; at a kept speed no motion is stable with a > 0 here and all else positive.
-//! The rim's mass may vanish.
+//! The coordinates are (phi1, phi2, phi, x, ball, ball, lambda, psi); the masses of the angles are moments of inertia.
+//! lambda is the lateral displacement of the wheel's centre relative to the centre of the contact area, psi the angle
+//! from the plane of the wheel to the path of the contact. The centre of the contact area does not slip sideways, x' -
+//! lambda' = R omega1 psi, and the curvature of its path is alpha lambda - beta psi. The rim exerts the force a lambda
+//! and the torque b psi, with the signs printed in (3.17) of Manglieva and Beknazarov; for a rim that resists
+//! deformation a < 0 and b < 0, and its stiffnesses are -a and -b. Their printed Z contains the stiffness itself, that
+//! is the force -a lambda. With a > 0 here, all other data positive and a prescribed speed, no motion is stable. The
+//! rim's mass may be zero.
 
 use field::{Analytic, Base, Over, Tangent};
 use mechanics::constrained::appell;
@@ -96,7 +99,8 @@ impl<P: Base> PointSystem<12> for ElasticGovernor<P> {
     }
 }
 
-/// The links hold the balls, which turn with the drum; the other rates follow from those of drum and sleeve.
+/// The constraints: the links determine the position of the balls, which rotate with the drum; the other rates follow
+/// from those of drum and sleeve.
 impl<P: Base> Constrained<12, 10> for ElasticGovernor<P> {
     fn constraints<S: Over<P>>(&self, at: &State<S, 12>) -> [Constraint<S>; 10] {
         let (place, velocity) = (at.place, at.velocity);
@@ -128,7 +132,7 @@ impl<P: Base> Constrained<12, 10> for ElasticGovernor<P> {
     }
 }
 
-/// q = (phi1, phi2, phi, x, lambda, psi), p = (omega1, x').
+/// The chart q = (phi1, phi2, phi, x, lambda, psi) with p = (omega1, x').
 impl<P: Base> Charted<12, 6, 2> for ElasticGovernor<P> {
     fn place<S: Over<P> + Analytic>(&self, _time: S, q: [S; 6]) -> [S; 12] {
         let [phi1, phi2, phi, x, lambda, psi] = q;
@@ -144,7 +148,7 @@ impl<P: Base> Charted<12, 6, 2> for ElasticGovernor<P> {
 }
 
 impl<P: Base> ElasticGovernor<P> {
-    /// q' of rolling.
+    /// The rates q' that the conditions of rolling determine.
     fn rolling<S: Over<P>>(&self, q: [S; 6], [speed, drift]: [S; 2]) -> [S; 6] {
         let [_, _, _, x, lambda, psi] = q;
         let rolled = S::lift(self.drum) * speed;
@@ -159,11 +163,11 @@ impl<P: Base> ElasticGovernor<P> {
         ]
     }
 
-    /// (omega1', x', x'', lambda', psi') at (omega1, x, x', lambda, psi); the angle of the drum is zero, since no equation
-    /// depends on it.
+    /// The rates (omega1', x', x'', lambda', psi') at the state (omega1, x, x', lambda, psi). The angle of the drum is
+    /// set to zero, since no equation depends on it.
     ///
     /// # Errors
-    /// [`NotDefinite`] where neither the sleeve nor the balls have a mass.
+    /// [`NotDefinite`] if the masses of sleeve and balls are both zero.
     pub fn rates_of_state<S: Over<P> + Analytic>(&self, state: [S; 5]) -> Result<[S; 5], NotDefinite> {
         let [speed, x, drift, lambda, psi] = state;
         let zero = S::zero();
@@ -174,7 +178,7 @@ impl<P: Base> ElasticGovernor<P> {
         Ok([spin, drift, push, across, turn])
     }
 
-    /// T + the energies of springs and rim, J.
+    /// The energy T plus the energies of springs and rim, J.
     pub fn energy<S: Over<P> + Analytic>(&self, [speed, x, drift, lambda, psi]: [S; 5]) -> S {
         let zero = S::zero();
         let motion: Motion<S, 12, 2> = Motion::at(self, zero, [zero, zero, zero, x, lambda, psi], [speed, drift]);
@@ -185,24 +189,26 @@ impl<P: Base> ElasticGovernor<P> {
         moving + ((c1 + c2) * shift.squared() - rim).half() + (c1 * delta1 - c2 * delta2) * shift
     }
 
-    /// The power of the shafts and of the rim's torque on the disc, W: the rate of [`energy`](Self::energy).
+    /// The power of the torques on the shafts and of the rim's torque on the disc, W: the time derivative of
+    /// [`energy`](Self::energy).
     pub fn power<S: Over<P>>(&self, [speed, x, _, _, psi]: [S; 5]) -> S {
         let ElasticGovernor { m1, m2, drill, drum, offset, .. } = self.map(S::lift);
         m1 * speed + (m2 + drill * psi) * drum * speed / (x - offset)
     }
 
-    /// The governor with the torque M1 and the tension delta2 for which (omega1, x0, lambda = psi = 0) is a stationary
-    /// motion; c2 must not vanish.
+    /// The governor with the torque M1 and the tension delta2 for which (omega1, x0, lambda = psi = 0) is a steady
+    /// motion; c2 must not be zero.
     pub fn stationary_at(self, speed: P) -> Self {
         let m1 = -self.drum * self.m2 / (self.rest - self.offset);
         let pull = self.ball.half() * self.rest * speed.squared() + self.c1 * self.delta1;
         ElasticGovernor { m1, delta2: pull / self.c2, ..self }
     }
 
-    /// The matrix of the linearisation about (omega1, x0) with lambda = psi = 0, in (omega1, x, x', lambda, psi).
+    /// The matrix of the linearisation about (omega1, x0, lambda = psi = 0), in the variables (omega1, x, x', lambda,
+    /// psi).
     ///
     /// # Errors
-    /// As [`rates_of_state`](Self::rates_of_state).
+    /// [`NotDefinite`] under the condition of [`rates_of_state`](Self::rates_of_state).
     pub fn linearised<S: Over<P> + Analytic>(&self, speed: S) -> Result<[[S; 5]; 5], NotDefinite>
     where
         Tangent<S>: Over<P>,

@@ -1,7 +1,7 @@
-//! A knife edge on an inclined plane: Chaplygin's sleigh.
+//! A knife edge on an inclined plane (Chaplygin's sleigh).
 //!
-//! A plane body in the coordinates (x, y, c, s) of its centre G and of its direction (c, s) = (cos theta, sin theta), with the
-//! masses (m, m, J, J); x points down the slope. The blade at A = G - d (c, s) moves along (c, s) only.
+//! A plane body with the coordinates (x, y, c, s): its centre of mass G and its direction (c, s) = (cos theta, sin
+//! theta). The masses are (m, m, J, J); x points down the slope. The blade at A = G - d (c, s) moves along (c, s) only.
 
 use field::{Analytic, Base, Over, Tangent};
 use mechanics::constrained::newton::{Reactions, at_point};
@@ -44,7 +44,7 @@ impl<P: Base> Constrained<4, 2> for KnifeEdge<P> {
     }
 }
 
-/// The reactions: of rigidity, and of the ice across the blade.
+/// The reactions: the internal force of the rigid body, and the force of the ice perpendicular to the blade.
 impl<P: Base> Reactions<4, 2> for KnifeEdge<P> {
     fn reactions<S: Over<P>>(&self, at: &State<S, 4>) -> [[S; 4]; 2] {
         let [_, _, c, s] = at.place;
@@ -56,7 +56,7 @@ impl<P: Base> Reactions<4, 2> for KnifeEdge<P> {
     }
 }
 
-/// q = (x, y, theta), p = (u, w): the blade's speed along itself and theta'.
+/// The chart q = (x, y, theta), p = (u, w): the velocity of the blade along itself, and theta'.
 impl<P: Base> Charted<4, 3, 2> for KnifeEdge<P> {
     fn place<S: Over<P> + Analytic>(&self, _time: S, [x, y, theta]: [S; 3]) -> [S; 4] {
         let point = theta.circle();

@@ -1,8 +1,8 @@
-//! Appell's ladder: a rod between a rough wall and a rough floor.
+//! Appell's ladder: a rod that leans on a rough wall and stands on a rough floor.
 //!
-//! A plane body in the coordinates (x, y, c, s) of its centre G and of its direction, with the masses (m, m, J, J); y points
-//! upwards. alpha goes from the wall to the ladder, (c, s) = (cos alpha, sin alpha): A = G + l (-s, c) leans on the wall
-//! x = 0, B = G + l (s, -c) stands on the floor y = 0.
+//! A plane body with the coordinates (x, y, c, s): its centre of mass G and its direction. The masses are (m, m, J, J);
+//! y points upwards. alpha is the angle from the wall to the ladder, (c, s) = (cos alpha, sin alpha). The end A = G + l
+//! (-s, c) touches the wall x = 0, the end B = G + l (s, -c) touches the floor y = 0.
 
 use field::{Analytic, Base, Over, Tangent};
 use mechanics::constrained::contacts::{Closed, Contact, Contacts, Sides};
@@ -12,19 +12,19 @@ use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, Stat
 /// The data of the ladder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ladder<P> {
-    /// m, kg
+    /// The mass m, kg.
     pub mass: P,
-    /// J about the centre, kg m^2; m l^2/3 for a uniform ladder
+    /// The moment of inertia J about the centre of mass, kg m^2; m l^2/3 for a uniform ladder.
     pub inertia: P,
-    /// l, half of its length, m
+    /// Half of the length, l, m.
     pub half_length: P,
-    /// g, m/s^2
+    /// The acceleration of gravity g, m/s^2.
     pub gravity: P,
-    /// f of the wall at A, f of the floor at B
+    /// The coefficients of friction f of the wall at A and of the floor at B.
     pub friction: [P; 2],
 }
 
-/// The ladder on wall and floor: rigidity, wall, floor.
+/// The ladder in contact with wall and floor; the constraints are rigidity, wall, floor.
 pub type LeaningLadder<P> = Closed<Ladder<P>, 1, 2>;
 
 impl<P: Base> PointSystem<4> for Ladder<P> {
@@ -57,7 +57,7 @@ impl<P: Base> Contacts<4, 1, 2> for Ladder<P> {
     }
 }
 
-/// The reactions: of rigidity, of the wall at A, of the floor at B.
+/// The reactions: the internal force of the rigid body, the force of the wall at A, and the force of the floor at B.
 impl<P: Base> Reactions<4, 3> for Ladder<P> {
     fn reactions<S: Over<P>>(&self, at: &State<S, 4>) -> [[S; 4]; 3] {
         let half = Tangent::lift(self.half_length);
@@ -71,7 +71,7 @@ impl<P: Base> Reactions<4, 3> for Ladder<P> {
     }
 }
 
-/// On wall and floor: q = alpha, p = alpha'.
+/// The chart q = alpha, p = alpha' for contact with wall and floor.
 impl<P: Base> Charted<4, 1, 1> for Ladder<P> {
     fn place<S: Over<P> + Analytic>(&self, _time: S, [alpha]: [S; 1]) -> [S; 4] {
         let (point, half) = (alpha.circle(), S::lift(self.half_length));

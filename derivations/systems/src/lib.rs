@@ -1,4 +1,4 @@
-//! Mechanical and electromechanical systems: bodies, forces, constraints and energies, generic over the number.
+//! Mechanical and electromechanical systems: bodies, forces, constraints and energies, generic over the scalar type.
 //!
 //! # Example
 //! ```

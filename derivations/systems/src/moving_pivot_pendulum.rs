@@ -1,6 +1,6 @@
-//! A pendulum with a moving pivot: a rheonomic geometric constraint.
+//! A pendulum with a moving pivot: a geometric constraint that depends on time (rheonomic).
 //!
-//! Coordinates (x, y) of the bob, y downwards; the pivot is at (s, 0) with s = u t + a t^2/2.
+//! The coordinates are the position (x, y) of the bob, y downwards; the pivot is at (s, 0) with s = u t + a t^2/2.
 
 use field::{Analytic, Base, Over};
 use mechanics::constrained::newton::Reactions;
@@ -9,20 +9,20 @@ use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, Stat
 /// The data of the pendulum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MovingPivotPendulum<P> {
-    /// m, kg
+    /// The mass m, kg.
     pub mass: P,
-    /// l, m
+    /// The length l, m.
     pub length: P,
-    /// g, m/s^2
+    /// The acceleration of gravity g, m/s^2.
     pub gravity: P,
-    /// u, the pivot's speed at t = 0, m/s
+    /// The pivot's speed u at t = 0, m/s.
     pub speed: P,
-    /// a, the pivot's acceleration, m/s^2
+    /// The pivot's acceleration a, m/s^2.
     pub acceleration: P,
 }
 
 impl<P: Base> MovingPivotPendulum<P> {
-    /// s(t)
+    /// The pivot's position s(t).
     fn pivot<S: Over<P>>(&self, time: S) -> S {
         (S::lift(self.speed) + S::lift(self.acceleration).half() * time) * time
     }
@@ -48,7 +48,7 @@ impl<P: Base> Constrained<2, 1> for MovingPivotPendulum<P> {
     }
 }
 
-/// The reaction of the thread, directed away from the pivot.
+/// The reaction of the thread; positive away from the pivot.
 impl<P: Base> Reactions<2, 1> for MovingPivotPendulum<P> {
     fn reactions<S: Over<P>>(&self, at: &State<S, 2>) -> [[S; 2]; 1] {
         let ([x, y], length) = (at.place, S::lift(self.length));
@@ -56,7 +56,7 @@ impl<P: Base> Reactions<2, 1> for MovingPivotPendulum<P> {
     }
 }
 
-/// q = theta from the vertical, p = theta'.
+/// The chart q = theta, measured from the vertical, with p = theta'.
 impl<P: Base> Charted<2, 1, 1> for MovingPivotPendulum<P> {
     fn place<S: Over<P> + Analytic>(&self, time: S, [theta]: [S; 1]) -> [S; 2] {
         let (point, length) = (theta.circle(), S::lift(self.length));

@@ -1,7 +1,8 @@
-//! The sliders of Painleve and Klein: two masses on parallel guides, joined by a massless rod; one guide is rough.
+//! The sliders of Painleve and Klein: two masses on parallel guides, connected by a massless rod; one guide is rough.
 //!
-//! Coordinates (x1, y1, x2, y2) with the masses (m1, m1, m2, m2); the guides are y = 0 and y = h. Forces P1 and P2 act along
-//! them. The rod's angle theta to the guides has sin theta = h/l; it is the only datum that enters, as tan theta.
+//! The coordinates are (x1, y1, x2, y2) with the masses (m1, m1, m2, m2); the guides are y = 0 and y = h. The forces P1
+//! and P2 act along the guides. For the rod's angle theta to the guides sin theta = h/l; of the geometry only tan theta
+//! occurs in the equations.
 
 use field::{Base, Over};
 use mechanics::constrained::contacts::{Contact, Contacts, Sides};
@@ -10,15 +11,15 @@ use mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 /// The data of the sliders.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PainleveKlein<P> {
-    /// m1 on the rough guide and m2 on the smooth one, kg
+    /// The masses m1 on the rough guide and m2 on the smooth one, kg.
     pub masses: [P; 2],
-    /// P1 and P2, N
+    /// The forces P1 and P2, N.
     pub loads: [P; 2],
-    /// h, the distance of the guides, m
+    /// The distance h of the guides, m.
     pub distance: P,
-    /// l, the length of the rod, m
+    /// The length l of the rod, m.
     pub length: P,
-    /// f of the first guide
+    /// The coefficient of friction f of the first guide.
     pub friction: P,
 }
 

@@ -1,7 +1,8 @@
-//! A point in the plane with prescribed speed: a kinematic constraint that is not linear in the velocity.
+//! A point in the plane with prescribed speed: a kinematic constraint that is nonlinear in the velocity.
 //!
-//! Coordinates (x, y), y downwards; x'^2 + y'^2 = v^2 with v = u + a t. Its virtual displacements after Chetaev are across
-//! the velocity, so the reaction is along it: a propeller's thrust, which does work.
+//! The coordinates are (x, y), y downwards; x'^2 + y'^2 = v^2 with v = u + a t. By Chetaev's definition its virtual
+//! displacements are perpendicular to the velocity. Hence the reaction is along the velocity and does work, like the
+//! thrust of a propeller.
 
 use field::{Analytic, Base, Over};
 use mechanics::constrained::newton::Reactions;
@@ -10,18 +11,18 @@ use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, Stat
 /// The data of the point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PrescribedSpeedPoint<P> {
-    /// m, kg
+    /// The mass m, kg.
     pub mass: P,
-    /// g, m/s^2
+    /// The acceleration of gravity g, m/s^2.
     pub gravity: P,
-    /// u, the speed at t = 0, m/s
+    /// The speed u at t = 0, m/s.
     pub speed: P,
-    /// a, m/s^2
+    /// The rate of change a of the speed, m/s^2.
     pub acceleration: P,
 }
 
 impl<P: Base> PrescribedSpeedPoint<P> {
-    /// v(t)
+    /// The prescribed speed v(t).
     fn prescribed<S: Over<P>>(&self, time: S) -> S {
         S::lift(self.speed) + S::lift(self.acceleration) * time
     }
@@ -46,14 +47,14 @@ impl<P: Base> Constrained<2, 1> for PrescribedSpeedPoint<P> {
     }
 }
 
-/// The thrust.
+/// The reaction: the thrust along the velocity.
 impl<P: Base> Reactions<2, 1> for PrescribedSpeedPoint<P> {
     fn reactions<S: Over<P>>(&self, at: &State<S, 2>) -> [[S; 2]; 1] {
         [at.velocity.map(|v| v / self.prescribed(at.time))]
     }
 }
 
-/// q = (x, y), p = chi: the direction of the velocity, from the x-axis.
+/// The chart q = (x, y), p = chi, where chi is the angle from the x axis to the velocity.
 impl<P: Base> Charted<2, 2, 1> for PrescribedSpeedPoint<P> {
     fn place<S: Over<P> + Analytic>(&self, _time: S, q: [S; 2]) -> [S; 2] {
         q

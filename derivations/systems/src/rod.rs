@@ -1,7 +1,7 @@
 //! Painleve's rod: two mass points on a massless rod, the first of them on a rough horizontal guide.
 //!
-//! Coordinates (x, y, x1, y1) of M and M1 with the masses (m, m, m1, m1); y points downwards, as gravity does. The angle
-//! theta goes from the guide to the rod: x1 = x + l cos theta, y1 = y + l sin theta.
+//! The coordinates are (x, y, x1, y1) of the points M and M1, with the masses (m, m, m1, m1); y points downwards, in
+//! the direction of gravity. theta is the angle from the guide to the rod: x1 = x + l cos theta, y1 = y + l sin theta.
 
 use field::{Analytic, Base, Over};
 use mechanics::constrained::contacts::{Closed, Contact, Contacts, Sides};
@@ -11,21 +11,21 @@ use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, Stat
 /// The data of the rod.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rod<P> {
-    /// m of the point M on the guide, kg
+    /// The mass m of the point M on the guide, kg.
     pub guided: P,
-    /// m1 of the point M1, kg
+    /// The mass m1 of the point M1, kg.
     pub free: P,
-    /// l, m
+    /// The length l, m.
     pub length: P,
-    /// g, m/s^2
+    /// The acceleration of gravity g, m/s^2.
     pub gravity: P,
-    /// f of the guide
+    /// The coefficient of friction f of the guide.
     pub friction: P,
-    /// Whether the guide holds M from above only (a floor below it) or from both sides.
+    /// Whether the guide acts on M from one side only (as a floor below it) or from both sides.
     pub sides: Sides,
 }
 
-/// The rod with M on the guide: the length is the first constraint, the guide the second.
+/// The rod with M on the guide: the first constraint is the length of the rod, the second the guide.
 pub type GuidedRod<P> = Closed<Rod<P>, 1, 1>;
 
 impl<P: Base> PointSystem<4> for Rod<P> {
@@ -55,7 +55,7 @@ impl<P: Base> Contacts<4, 1, 1> for Rod<P> {
     }
 }
 
-/// The reactions: the rod's along itself on its ends, the guide's upwards.
+/// The reactions: the force of the rod along itself on both ends, and the upward force of the guide.
 impl<P: Base> Reactions<4, 2> for Rod<P> {
     fn reactions<S: Over<P>>(&self, at: &State<S, 4>) -> [[S; 4]; 2] {
         let ([x, y, x1, y1], length) = (at.place, S::lift(self.length));
@@ -64,7 +64,7 @@ impl<P: Base> Reactions<4, 2> for Rod<P> {
     }
 }
 
-/// q = (x, theta), p = q'.
+/// The chart q = (x, theta), p = q'.
 impl<P: Base> Charted<4, 2, 2> for Rod<P> {
     fn place<S: Over<P> + Analytic>(&self, _time: S, [x, theta]: [S; 2]) -> [S; 4] {
         let (point, length) = (theta.circle(), S::lift(self.length));

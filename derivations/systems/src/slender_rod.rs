@@ -1,7 +1,8 @@
 //! A rod that touches a rough line with one end.
 //!
-//! A plane body in the coordinates (x, y, c, s) of its centre and of its direction, with the masses (m, m, J, J); y points
-//! upwards. theta goes from the line y = 0 to the rod, (c, s) = (cos theta, sin theta): the end is the centre - l (c, s).
+//! A plane body with the coordinates (x, y, c, s): its centre of mass and its direction. The masses are (m, m, J, J); y
+//! points upwards. theta is the angle from the line y = 0 to the rod, (c, s) = (cos theta, sin theta); the end that
+//! touches the line is the centre of mass minus l (c, s).
 
 use field::{Base, Over};
 use mechanics::constrained::contacts::{Contact, Contacts, Sides};
@@ -10,15 +11,15 @@ use mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 /// The data of the rod.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlenderRod<P> {
-    /// m, kg
+    /// The mass m, kg.
     pub mass: P,
-    /// J about the centre, kg m^2; m l^2/3 for a uniform rod
+    /// The moment of inertia J about the centre of mass, kg m^2; m l^2/3 for a uniform rod.
     pub inertia: P,
-    /// l, half of its length, m
+    /// Half of the length, l, m.
     pub half_length: P,
-    /// g, m/s^2
+    /// The acceleration of gravity g, m/s^2.
     pub gravity: P,
-    /// f of the line
+    /// The coefficient of friction f of the line.
     pub friction: P,
 }
 

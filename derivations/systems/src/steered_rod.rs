@@ -1,7 +1,7 @@
-//! The steered rod: Painleve's rod with the constraint that the velocity of its middle is along the rod.
+//! The steered rod: Painleve's rod with the additional constraint that the velocity of its midpoint is along the rod.
 //!
-//! Coordinates (x1, y1, x2, y2) of M1 on the guide and of M2; y points downwards; a horizontal force X acts on M1. The
-//! condition on the middle is kinematic but integrable, as the classification shows.
+//! The coordinates are (x1, y1, x2, y2) of M1 on the guide and of M2; y points downwards; a horizontal force X acts on
+//! M1. The condition on the midpoint is kinematic but, by Frobenius' theorem, integrable.
 
 use field::{Analytic, Base, Over, Scalar, Tangent};
 use mechanics::constrained::contacts::{Closed, Contact, Contacts, Sides};
@@ -11,23 +11,23 @@ use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, Stat
 /// The data of the steered rod.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteeredRod<P> {
-    /// m1 of the point M1 on the guide, kg
+    /// The mass m1 of the point M1 on the guide, kg.
     pub guided: P,
-    /// m2 of the point M2, kg
+    /// The mass m2 of the point M2, kg.
     pub free: P,
-    /// l, m
+    /// The length l, m.
     pub length: P,
-    /// g, m/s^2
+    /// The acceleration of gravity g, m/s^2.
     pub gravity: P,
-    /// X, the force on M1 along the guide, N
+    /// The force X on M1 along the guide, N.
     pub drive: P,
-    /// f of the guide
+    /// The coefficient of friction f of the guide.
     pub friction: P,
-    /// The sides from which the guide holds M1.
+    /// The sides from which the guide acts on M1.
     pub sides: Sides,
 }
 
-/// The steered rod with M1 on the guide: length, middle, guide.
+/// The steered rod with M1 on the guide; the constraints are length, midpoint, guide.
 pub type GuidedSteeredRod<P> = Closed<SteeredRod<P>, 2, 1>;
 
 impl<P: Base> PointSystem<4> for SteeredRod<P> {
@@ -58,7 +58,8 @@ impl<P: Base> Contacts<4, 2, 1> for SteeredRod<P> {
     }
 }
 
-/// The reactions: the rod's along itself on its ends, the steering's across the middle, the guide's upwards.
+/// The reactions: the force of the rod along itself on both ends, the steering force perpendicular to the rod at the
+/// midpoint, and the upward force of the guide.
 impl<P: Base> Reactions<4, 3> for SteeredRod<P> {
     fn reactions<S: Over<P>>(&self, at: &State<S, 4>) -> [[S; 4]; 3] {
         let ([x1, y1, x2, y2], length) = (at.place, S::lift(self.length));
@@ -68,7 +69,7 @@ impl<P: Base> Reactions<4, 3> for SteeredRod<P> {
     }
 }
 
-/// On the guide: q = (x1, theta), p = x1': theta' = 2 x1' sin theta / l has no singular angle.
+/// The chart on the guide, q = (x1, theta), p = x1'; theta' = 2 x1' sin theta / l is regular at every angle.
 impl<P: Base> Charted<4, 2, 1> for SteeredRod<P> {
     fn place<S: Over<P> + Analytic>(&self, _time: S, [x1, theta]: [S; 2]) -> [S; 4] {
         let (point, length) = (theta.circle(), S::lift(self.length));

@@ -1,92 +1,95 @@
-//! One degree of freedom with a variable inertia, losses and a control: d/dt(m(t) y') + w(y, y', t) = u(y, y', t).
+//! Systems with one degree of freedom, variable inertia, losses and a control: d/dt(m(t) y') + w(y, y', t) = u(y, y',
+//! t).
 //!
-//! y is the amount produced or learned, the angle or the distance; y' is the capacity, the rate of learning, the angular
-//! velocity, the velocity. The law balances the momentum m y', with m' y' in it: for a point of variable mass it holds if the
-//! mass that leaves or arrives has no absolute velocity.
+//! y is the amount produced, the amount learned, the angle or the distance; y' is the production capacity, the rate of
+//! learning, the angular velocity or the velocity. The law is the balance of the momentum m y' and therefore includes
+//! m' y'. For a point of variable mass it is valid if the mass that leaves or arrives has zero absolute velocity.
 
 use field::{Analytic, Base, Over, Tangent};
 
-/// A law of growth.
+/// A law of this form.
 pub trait Growth {
-    /// The field of the parameters.
+    /// The scalar type of the parameters.
     type Given: Base;
 
-    /// m(t): fund per capacity, inertia of learning, moment of inertia, mass.
+    /// The inertia m(t): funds per capacity, inertia of learning, moment of inertia, mass.
     fn inertia<S: Over<Self::Given>>(&self, time: S) -> S;
 
-    /// w(y, y', t): wear, denial of known information, disturbing torques, resistance.
+    /// The losses w(y, y', t): wear, rejection of known information, disturbing torques, resistance.
     fn loss<S: Over<Self::Given> + Analytic>(&self, time: S, y: S, speed: S) -> S;
 
-    /// u(y, y', t): new funds, potential information, torque of the motor, reaction.
+    /// The control u(y, y', t): new funds, potential information, torque of the motor, reaction force.
     fn control<S: Over<Self::Given> + Analytic>(&self, time: S, y: S, speed: S) -> S;
 
-    /// d/dt(m y') + w - u along y(t), with y' = `speed` and y'' = `acceleration`.
+    /// The residual d/dt(m y') + w - u along y(t), with y' = `speed` and y'' = `acceleration`.
     fn residual<S: Over<Self::Given> + Analytic>(&self, time: S, [y, speed, acceleration]: [S; 3]) -> S {
         let momentum = self.inertia(Tangent::variable(time)) * Tangent::moving(speed, acceleration);
         momentum.slope + self.loss(time, y, speed) - self.control(time, y, speed)
     }
 
-    /// y'' by the law; the inertia must not vanish.
+    /// The acceleration y'' by the law; the inertia must not be zero.
     fn acceleration<S: Over<Self::Given> + Analytic>(&self, time: S, y: S, speed: S) -> S {
         -self.residual(time, [y, speed, S::zero()]) / self.inertia(time)
     }
 }
 
-/// A plant: m is the fund per capacity, a share of the funds wears out in a unit of time, new funds come at a rate u.
+/// A production plant: m is the funds per capacity; a constant fraction of the funds wears out per unit of time; new
+/// funds arrive at the rate u.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plant<P> {
-    /// m at t = 0
+    /// The funds per capacity m at t = 0.
     pub fund: P,
-    /// m'
+    /// The rate m'.
     pub fund_rate: P,
-    /// The share of the funds m y' that is lost in a unit of time.
+    /// The fraction of the funds m y' that is lost per unit of time.
     pub wear: P,
-    /// u
+    /// The rate u of new funds.
     pub supply: P,
 }
 
-/// Learning: (L I')' + (tau - I') I' + I/G = M.
+/// A law of learning: (L I')' + (tau - I') I' + I/G = M.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Learning<P> {
-    /// L
+    /// The inertia L.
     pub inertia: P,
-    /// tau
+    /// The coefficient tau.
     pub denial: P,
-    /// G
+    /// The coefficient G.
     pub permeability: P,
-    /// M
+    /// The potential M.
     pub potential: P,
 }
 
-/// A link with a load that moves along it, about a horizontal axis: phi from the horizontal.
+/// A link of a manipulator with a load that moves along it; it rotates about a horizontal axis, and phi is measured
+/// from the horizontal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint<P> {
-    /// Moment of inertia of the link.
+    /// The moment of inertia of the link.
     pub link: P,
-    /// Mass of the load.
+    /// The mass of the load.
     pub load: P,
-    /// Distance of the load from the axis at t = 0.
+    /// The distance of the load from the axis at t = 0.
     pub distance: P,
-    /// Constant rate of that distance.
+    /// The constant rate of that distance.
     pub rate: P,
-    /// g
+    /// The acceleration of gravity g.
     pub gravity: P,
-    /// Torque of the motor.
+    /// The torque of the motor.
     pub motor: P,
 }
 
 /// A point of variable mass on a line: (m x')' + beta x' + k x = R.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VariablePoint<P> {
-    /// m at t = 0
+    /// The mass m at t = 0.
     pub mass: P,
-    /// m'
+    /// The rate m'.
     pub mass_rate: P,
-    /// beta
+    /// The coefficient beta of resistance.
     pub resistance: P,
-    /// k
+    /// The stiffness k.
     pub stiffness: P,
-    /// R
+    /// The force R.
     pub push: P,
 }
 
@@ -123,7 +126,7 @@ impl<P: Base> Growth for Learning<P> {
 }
 
 impl<P: Base> Joint<P> {
-    /// The distance of the load.
+    /// The distance of the load from the axis.
     pub fn reach<S: Over<P>>(&self, time: S) -> S {
         S::lift(self.distance) + S::lift(self.rate) * time
     }

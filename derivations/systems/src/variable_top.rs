@@ -1,9 +1,10 @@
-//! A symmetric body of variable mass with a gyroscope on its axis, about a fixed point in a Newtonian field.
+//! A symmetric body of variable mass with a gyroscope on its axis, about a fixed point in a Newtonian central field.
 //!
-//! Axes of the body: z along the axis of symmetry. (p, q, r) is the angular velocity, gamma the unit vector from the
-//! attracting centre, at the distance R, to the fixed point, nu the gyroscope's constant angular momentum along z.
-//! A = B, C and the static moment M z_c are functions of the time; body and fuel are taken as solidified at the instant,
-//! and the action of ejected and of internally moving mass is a torque besides the given ones.
+//! In the axes of the body, z is along the axis of symmetry; (p, q, r) is the angular velocity, gamma the unit vector
+//! from the attracting centre, at the distance R, to the fixed point, and nu the constant angular momentum of the
+//! gyroscope along z. A = B, C and the static moment M z_c are functions of time. At each instant body and fuel are
+//! treated as a rigid body; the effect of ejected and of internally moving mass is a torque in addition to the given
+//! ones.
 //!
 //!   G = (A p, A q, C r + nu),   2 T = A (p^2 + q^2) + C r^2,
 //!   U = -g M z_c gamma_3 - 1/2 kappa (A gamma_1^2 + A gamma_2^2 + C gamma_3^2),   g = mu/R^2, kappa = 3 mu/R^3.
@@ -14,33 +15,34 @@ use mechanics::momentum::absolute_rate;
 use mechanics::rotation::determinant;
 use nalgebra::{Matrix3, Vector3};
 
-/// The body at an instant; over tangents, with the rates of the varying data.
+/// The body at one instant; over dual numbers (tangents) it contains the rates of the varying data too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Top<S> {
-    /// A = B, kg m^2
+    /// The equatorial moment of inertia A = B, kg m^2.
     pub equatorial: S,
-    /// C, kg m^2
+    /// The axial moment of inertia C, kg m^2.
     pub axial: S,
-    /// M z_c, kg m
+    /// The static moment M z_c, kg m.
     pub static_moment: S,
-    /// nu, kg m^2/s
+    /// The gyroscope's angular momentum nu, kg m^2/s.
     pub gyroscope: S,
-    /// g = mu/R^2, m/s^2
+    /// The acceleration of gravity g = mu/R^2, m/s^2.
     pub gravity: S,
-    /// kappa = 3 mu/R^3 = 3 g/R, 1/s^2
+    /// The coefficient of the gravity gradient kappa = 3 mu/R^3 = 3 g/R, 1/s^2.
     pub tide: S,
 }
 
 /// The body's angular velocity, and the vertical in its axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attitude<S: Scalar> {
-    /// (p, q, r), 1/s
+    /// The angular velocity (p, q, r), 1/s.
     pub spin: Vector3<S>,
-    /// gamma
+    /// The unit vector gamma of the vertical.
     pub vertical: Vector3<S>,
 }
 
-/// The prescribed integrals: 2(T - U) up to a constant of the field, G.gamma, C (r - r_0), gamma.gamma - 1.
+/// The integrals whose rates are prescribed: 2(T - U) up to a constant of the field, G.gamma, C (r - r_0), gamma.gamma
+/// - 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Integrals<S> {
     pub energy: S,
@@ -49,7 +51,7 @@ pub struct Integrals<S> {
     pub length: S,
 }
 
-/// The torques that produce prescribed rates of the integrals do not exist, or are not unique.
+/// The error that no torques, or no unique torques, give the prescribed rates of the integrals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StationaryInclination;
 
@@ -81,22 +83,22 @@ impl<S> Top<S> {
 }
 
 impl<S: Scalar> Top<S> {
-    /// The solidified body: constant parameters.
+    /// The body with all parameters constant.
     pub fn fixed(self) -> Top<Tangent<S>> {
         self.map(Tangent::fixed)
     }
 
-    /// G
+    /// The angular momentum G.
     pub fn momentum(&self, spin: Vector3<S>) -> Vector3<S> {
         Vector3::new(self.equatorial * spin.x, self.equatorial * spin.y, self.axial * spin.z + self.gyroscope)
     }
 
-    /// T without the gyroscope's own.
+    /// The kinetic energy T without that of the gyroscope.
     pub fn kinetic_energy(&self, spin: Vector3<S>) -> S {
         (self.equatorial * (spin.x.squared() + spin.y.squared()) + self.axial * spin.z.squared()).half()
     }
 
-    /// U
+    /// The force function U.
     pub fn force_function(&self, vertical: Vector3<S>) -> S {
         let [g1, g2, g3] = vertical.map(S::squared).into();
         let tide = self.equatorial * (g1 + g2) + self.axial * g3;
@@ -109,23 +111,25 @@ impl<S: Scalar> Top<S> {
         Vector3::from(slope).cross(&vertical)
     }
 
-    /// dG/dt + w x G - torque of the solidified body: vanishes along the motion.
+    /// The residual dG/dt + w x G - torque, with the data constant; it is zero along a motion.
     pub fn residual(&self, spin: Vector3<S>, acceleration: Vector3<S>, moment: Vector3<S>) -> Vector3<S> {
         let moving = spin.zip_map(&acceleration, Tangent::moving);
         absolute_rate(self.fixed().momentum(moving), spin) - moment
     }
 
-    /// (p', q', r') under a torque; A and C must not vanish.
+    /// The rates (p', q', r') under a torque; A and C must not be zero.
     pub fn acceleration(&self, spin: Vector3<S>, moment: Vector3<S>) -> Vector3<S> {
         let missing = self.residual(spin, Vector3::zeros(), moment);
         Vector3::new(-missing.x / self.equatorial, -missing.y / self.equatorial, -missing.z / self.axial)
     }
 
-    /// The integrals, with the field's part zero for gamma orthogonal to the axis; r_0 is the prescribed axial speed.
+    /// The integrals; the field's part is zero for gamma orthogonal to the axis. r_0 is the prescribed axial angular
+    /// velocity.
     pub fn integrals(&self, at: &Attitude<S>, axial_speed: S) -> Integrals<S> {
         let across = Vector3::new(S::one(), S::zero(), S::zero());
         let field = self.force_function(at.vertical) - self.force_function(across);
-        // terms with gamma.gamma - 1 in the field's energy vanish on the motion; 2 (T - U) contains gamma_3 alone
+        // the terms with gamma.gamma - 1 in the field's energy are zero on a motion; 2 (T - U) then depends on gamma_3
+        // only
         let length = at.vertical.dot(&at.vertical) - S::one();
         let alone = field + (self.tide * self.equatorial * length).half();
         Integrals {
@@ -137,12 +141,12 @@ impl<S: Scalar> Top<S> {
     }
 }
 
-/// gamma' = gamma x w: the vertical is at rest in space.
+/// The rate gamma' = gamma x w, since the vertical is fixed in space.
 pub fn poisson<S: Scalar>(at: &Attitude<S>) -> Vector3<S> {
     at.vertical.cross(&at.spin)
 }
 
-/// The rates of the integrals under a torque, with gamma' given.
+/// The rates of the integrals under a torque, with given gamma'.
 pub fn rates<S: Scalar>(
     top: &Top<Tangent<S>>,
     at: &Attitude<S>,
@@ -164,10 +168,10 @@ pub fn rates<S: Scalar>(
     }
 }
 
-/// The inverse problem: the torque under which energy, vertical and axial momentum change at prescribed rates.
+/// The inverse problem: the torque for which energy, vertical and axial angular momentum have prescribed rates.
 ///
 /// # Errors
-/// [`StationaryInclination`] where p gamma_2 = q gamma_1 exactly.
+/// [`StationaryInclination`] if p gamma_2 = q gamma_1 exactly.
 pub fn prescribing<S: Scalar>(
     top: &Top<Tangent<S>>,
     at: &Attitude<S>,

@@ -1,11 +1,12 @@
-//! The workbench's own theorems, as pages of claims: those on which its studies rest, and the equality of the principles.
+//! The project's own theorems, as pages of claims: the theorems on which the studies rest, and the equality of the
+//! principles of mechanics.
 //!
 //! # Overview
-//! * [`principles`]: the principles of mechanics, equal on every system;
-//! * [`regimes`]: existence and uniqueness of motion with friction;
-//! * [`stabilisation`]: constraint stabilisation under discretisation;
+//! * [`principles`]: the principles of mechanics give equal accelerations for every system;
+//! * [`regimes`]: existence and uniqueness of motion with dry friction;
+//! * [`stabilisation`]: constraint stabilisation with discrete time steps;
 //! * [`stationary`], [`stability`]: all steady motions of a gyrostat with any motor, and their stability;
-//! * [`numerical_stability`]: stability of a method's one-step map against that of the motion;
+//! * [`numerical_stability`]: the stability of a method's one-step map compared with that of the motion;
 //! * [`synchronism`]: a synchronous motor under load.
 //!
 //! # Example

@@ -1,4 +1,4 @@
-//! The theorems on completeness of the steady motions, in the letters of section 6 of Konosevich & Konosevich 2022.
+//! The theorems on completeness of the steady motions, in the notation of section 6 of Konosevich & Konosevich 2022.
 
 use claims::{Condition, Page, Paper};
 use field::{Circle, Scalar};
@@ -11,7 +11,7 @@ use symbolic::Sym;
 
 use Condition::{Equal, NonZero, Zero};
 
-/// The page in the ledger.
+/// The entry of the page in the ledger.
 pub const PAPER: Paper = Paper {
     key: "stationary",
     title: "All stationary motions of a gyrostat with a motor",
@@ -39,7 +39,7 @@ pub fn page() -> Page {
     page
 }
 
-/// The conditions in both forms: critical points of W, and the bodies' equations of motion.
+/// The conditions in two forms: critical points of W, and the equations of motion of the bodies.
 fn gradient(page: &mut Page, s: &Letters) {
     let g = s.in_axes_of_a_star();
     let energies = Energies::of(&g);
@@ -70,7 +70,7 @@ fn gradient(page: &mut Page, s: &Letters) {
     .follows((0..3).flat_map(|i| (0..3).map(move |j| Equal(tensor[(i, j)], reduced[(i, j)]))));
 }
 
-/// The vertical momentum of a steady motion.
+/// The angular momentum about the vertical in a steady motion.
 fn momentum(page: &mut Page, s: &Letters) {
     let g = s.in_axes_of_a_star();
     let lambda = letter("λ");
@@ -98,7 +98,7 @@ fn momentum(page: &mut Page, s: &Letters) {
     )]);
 }
 
-/// Pull-out: both angles merge (saddle-node).
+/// Pull-out: two angles merge (saddle-node bifurcation).
 fn motor(page: &mut Page, s: &Letters) {
     let f = letter("f");
     let machine = Synchronous { field_speed: s.omega_field, b0: s.b0, f };
@@ -127,12 +127,12 @@ fn motor(page: &mut Page, s: &Letters) {
         )]);
 }
 
-/// (alpha_i - lambda) nu_i + delta_i = 0 in the principal axes, solved for nu.
+/// The equations (alpha_i - lambda) nu_i + delta_i = 0 in the principal axes, solved for nu.
 struct Multipliers {
     lambda: Sym,
     alpha: Vector3<Sym>,
     delta: Vector3<Sym>,
-    /// nu_i = delta_i / (lambda - alpha_i)
+    /// The direction nu_i = delta_i / (lambda - alpha_i).
     direction: Vector3<Sym>,
 }
 
@@ -150,7 +150,7 @@ impl Multipliers {
     }
 }
 
-/// Each root gives one direction.
+/// Each root lambda gives one direction nu.
 fn multiplier(page: &mut Page, s: &Letters, m: &Multipliers) {
     let symmetric =
         Matrix3::from_fn(|i, j| if i == j { m.alpha[i] - m.lambda } else { letter(["δ1", "δ2", "δ3"][3 - i - j]) });
@@ -180,7 +180,7 @@ fn multiplier(page: &mut Page, s: &Letters, m: &Multipliers) {
     )]);
 }
 
-/// There is one root beyond either end, and none or two in each gap.
+/// There is one root beyond either end of the spectrum, and none or two in each gap between eigenvalues.
 fn gaps(page: &mut Page, m: &Multipliers) {
     let fourth = (0..3).fold(Sym::ZERO, |sum, i| sum + m.delta[i].powi(2) / (m.lambda - m.alpha[i]).powi(4));
     let curvature = m.excess().diff(m.lambda).diff(m.lambda);
@@ -193,7 +193,7 @@ fn gaps(page: &mut Page, m: &Multipliers) {
         .follows([Equal(m.excess().diff(m.lambda), -(Sym::int(2) * slope))]);
 }
 
-/// Eigenvalues whose eigenspace is orthogonal to b.
+/// The eigenvalues whose eigenspace is orthogonal to delta.
 fn beyond(page: &mut Page, m: &Multipliers) {
     let z = letter("ν3");
     let at = [(m.delta.z, Sym::ZERO), (m.lambda, m.alpha.z)];
@@ -210,7 +210,7 @@ fn beyond(page: &mut Page, m: &Multipliers) {
         .follows(residual.iter().map(|&x| Zero(x)));
 }
 
-/// Minimum, saddle, maximum by the place of lambda.
+/// Minimum, saddle or maximum, depending on the position of lambda among the alpha_i.
 fn kind(page: &mut Page, s: &Letters, m: &Multipliers) {
     let quotient = (0..3).fold(Sym::ZERO, |sum, i| sum + m.direction[i].powi(2) / (m.alpha[i] - m.lambda));
     page.claim("kind", "slope", r"$\frac12\frac{d|\nu|^2}{d\lambda}=\nu\cdot(K-\lambda)^{-1}\nu$ for $\nu=-(K-\lambda)^{-1}\delta$, in the principal axes of $K$")
@@ -229,7 +229,7 @@ fn kind(page: &mut Page, s: &Letters, m: &Multipliers) {
         )]);
 }
 
-/// Points of the spherical line without a rotation.
+/// Points of the spherical curve to which no rotation belongs.
 fn idle(page: &mut Page, s: &Letters) {
     let tilt = s.a_star.component_mul(&s.nu).cross(&s.nu);
     let volume = s.nu.dot(&s.l.cross(&s.e));

@@ -1,4 +1,4 @@
-//! Theorems on a synchronous motor under load, in the letters of Konosevich & Konosevich 2022, with M for the load.
+//! Theorems on a synchronous motor under load, in the notation of Konosevich & Konosevich 2022, with M for the load.
 
 use claims::{Condition, Page, Paper};
 use field::{Circle, Scalar};
@@ -14,7 +14,7 @@ use systems::gyrostat::forms::{FirstForm, Form};
 
 use Condition::{Equal, Positive, Zero};
 
-/// The page in the ledger.
+/// The entry of the page in the ledger.
 pub const PAPER: Paper = Paper {
     key: "synchronism",
     title: "Synchronism of a motor under load",
@@ -37,19 +37,19 @@ pub fn page() -> Page {
     page
 }
 
-/// The plain motor with friction f.
+/// The motor without currents, with friction f.
 fn plain(s: &Letters) -> Bench<Sym, Synchronous<Sym>> {
     let machine = Synchronous { field_speed: s.omega_field, b0: s.b0, f: letter("f") };
     Bench { machine, axial: s.axial }
 }
 
-/// The motor with an excitation winding and bars, friction f.
+/// The motor with an excitation winding and bars, with friction f.
 fn wound(s: &Letters, bars: u32) -> Bench<Sym, MultiCurrent<Sym>> {
     let windings = Windings { f: letter("f"), ..s.windings() };
     Bench { machine: MultiCurrent { windings, ..s.evenly_spaced(bars) }, axial: s.axial }
 }
 
-/// Angle, slip, x, i1, ...
+/// The state: angle, slip, x, i1, ...
 fn state(s: &Letters, bars: u32) -> Vec<Sym> {
     [s.gamma, s.dgamma].into_iter().chain(s.currents(bars)).collect()
 }
@@ -127,7 +127,7 @@ fn energy(page: &mut Page, s: &Letters) {
     }
 }
 
-/// 1/2 A' g'^2 + sum 1/2 L_k i_k^2 of (g, g', x, i1, ...).
+/// The energy 1/2 A' g'^2 + sum 1/2 L_k i_k^2 as a function of (g, g', x, i1, ...).
 fn stored(s: &Letters, state: &[Sym]) -> Sym {
     let inductances = std::iter::once("L1").chain(std::iter::repeat("L2")).map(letter);
     let squares = std::iter::once(s.axial).chain(inductances).zip(&state[1..]);
@@ -135,7 +135,7 @@ fn stored(s: &Letters, state: &[Sym]) -> Sym {
 }
 
 fn separatrix(page: &mut Page, s: &Letters) {
-    // the half of the angle, and w = sqrt(b0/A') by its square
+    // half of the angle; w = sqrt(b0/A') is represented by its square
     let half = Circle { cos: letter("c"), sin: letter("s") };
     let (frequency, f) = (letter("Ω′"), letter("f"));
     let speed = Sym::int(2) * frequency * half.cos;
@@ -167,7 +167,7 @@ fn carrier(page: &mut Page, s: &Letters) {
         .in_words()
         .follows([Equal(of(s.torque) - of(Sym::ZERO), lightness * s.torque)]);
     let machine = Synchronous { field_speed: s.omega_field, b0: s.b0, f: letter("f") };
-    // l along the third principal axis, which is vertical and holds the centre of mass
+    // l along the third principal axis, which is vertical and contains the centre of mass
     let zero = Sym::ZERO;
     let upright = Vector3::new(zero, zero, Sym::int(1));
     let form = FirstForm::new(s.a, upright, s.axial, upright * s.big_gamma);

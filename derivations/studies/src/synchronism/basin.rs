@@ -1,4 +1,5 @@
-//! The basin of attraction of synchronism, sampled: a grid of initial angles and slips under each load, run as an ensemble.
+//! The basin of attraction of synchronism, by sampling: the law is integrated from a grid of initial angles and slips
+//! under each load.
 
 use super::energy::Wells;
 use super::loaded::{Loaded, NoField};
@@ -10,31 +11,33 @@ use simulation::Axes;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 
-/// The rotor's initial states: an even grid of angles over a turn and of slips over an interval, without currents.
+/// The rotor's initial states: an equidistant grid of angles over one turn and of slips over an interval; all currents
+/// are zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Starts {
     pub angles: usize,
     pub slips: usize,
-    /// rad/s
+    /// The interval of slips, rad/s.
     pub slip: [f64; 2],
 }
 
-/// The fates of the initial states under one load.
+/// The outcomes of the initial states under one load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Share {
-    /// N m
+    /// The load, N m.
     pub load: f64,
     pub starts: usize,
-    /// Number of synchronous motions; on a bench proved by the energy.
+    /// The number of motions that reach synchronism; on a bench this is proved by the energy.
     pub in_step: usize,
-    /// Number of motions that still slip at the end.
+    /// The number of motions that still slip at the end.
     pub slipping: usize,
-    /// The median time to synchronism, s, rounded up to a window.
+    /// The median time to synchronism, s, rounded up to the end of a window.
     pub time: Option<f64>,
 }
 
 impl Share {
-    /// Number of motions that are neither synchronous nor slip by a turn in the last quarter of the time: they start near the boundary.
+    /// The number of motions that are neither synchronous nor slip by a whole turn in the last quarter of the time:
+    /// their initial states are near the boundary of the basin.
     pub fn undecided(&self) -> usize {
         self.starts - self.in_step - self.slipping
     }
@@ -61,11 +64,11 @@ impl fmt::Display for NoShares {
 
 impl std::error::Error for NoShares {}
 
-/// Windows into which the time is divided; times to synchronism are known to a window.
+/// The number of windows into which the time is divided; it determines the resolution of times to synchronism.
 const WINDOWS: usize = 120;
 /// The tolerance of the integration.
 const TOLERANCE: f64 = 1e-8;
-/// The greatest number of steps in a window.
+/// The greatest number of integration steps in a window.
 const MOST_STEPS: u64 = 100_000;
 
 /// One motion of the ensemble.
@@ -84,16 +87,17 @@ enum Fate {
         window: usize,
     },
     Slipping,
-    /// The law ended, or the allowed steps did.
+    /// The law could not be continued, or the greatest number of steps was reached.
     Lost,
 }
 
-/// The fates of all initial states under each load, N m, within a time, s. On a bench a motion is synchronous, and stays so, when its
-/// energy V is below that of both neighbouring unstable equilibria. In a gyrostat, where the carrier has energy of its own, a motion
-/// counts as synchronous when its angle stays within half a turn in the last quarter of the time. Deterministic, in one thread.
+/// The outcomes of all initial states under each load, N m, within a time, s. On a bench a motion is synchronous, and
+/// remains so, once its energy V is below the energies of both neighbouring unstable equilibria. In a gyrostat, whose
+/// carrier has its own energy, a motion counts as synchronous if its angle varies by less than half a turn in the last
+/// quarter of the time. The computation is deterministic and runs in one thread.
 ///
 /// # Errors
-/// [`NoShares`].
+/// [`NoShares`] gives the reason why no shares were computed.
 pub fn shares(scene: &Scene, loads: &[f64], starts: Starts, span: f64) -> Result<Vec<Share>, NoShares> {
     let axes = Axes::Second;
     let motor = Loaded::of(scene).map_err(NoShares::Field)?;
@@ -164,7 +168,7 @@ fn grid(scene: &Scene, field_speed: f64, starts: Starts, axes: Axes) -> Vec<Vec<
 }
 
 impl Runner {
-    /// Judges a motion by its angles, where the energy has not decided.
+    /// Decides the outcome of a motion from its angles, if the energy has not decided it.
     fn end(&mut self, on_bench: bool) {
         let from = WINDOWS - WINDOWS / 4;
         let Some((last, late)) = self.angles.get(from..).and_then(<[f64]>::split_last) else { return };
@@ -185,7 +189,7 @@ impl Runner {
     }
 }
 
-/// The undecided motions as ensemble members for one window.
+/// The motions whose outcome is still open, as members of an ensemble integrated over one window.
 struct Window<'a> {
     runners: &'a mut [Runner],
     next: usize,

@@ -1,4 +1,5 @@
-//! Steady states of a synchronous motor under a load by continuation: synchronous equilibria, and periodic slipping.
+//! The steady states of a synchronous motor over its load, by continuation: synchronous equilibria, and periodic
+//! slipping motions.
 
 use super::loaded::Loaded;
 use integrators::{
@@ -9,29 +10,29 @@ use nalgebra::{Matrix3, RowVector3, Vector3};
 use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
 
-/// A synchronous steady state: an equilibrium angle of the rotor in the field.
+/// A synchronous steady state: an equilibrium of the rotor's angle relative to the field.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Standing {
-    /// rad
+    /// The angle, rad.
     pub angle: f64,
-    /// N m
+    /// The load, N m.
     pub load: f64,
-    /// The largest real part of an eigenvalue, 1/s; negative for a stable state.
+    /// The largest real part of an eigenvalue, 1/s; negative if the state is stable.
     pub growth: f64,
-    /// Whether the load has a fold here: two equilibria merge (saddle-node bifurcation).
+    /// Whether the load has an extremum here (fold): two equilibria merge in a saddle-node bifurcation.
     pub fold: bool,
 }
 
-/// Periodic slipping out of step: the rotor loses a turn on the field in every period.
+/// A periodic slipping motion: in every period the rotor falls behind the field by one turn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slipping {
-    /// The time of a turn of the rotor against the field, s.
+    /// The period: the time, s, in which the rotor falls behind the field by one turn.
     pub period: f64,
-    /// N m
+    /// The load, N m.
     pub load: f64,
-    /// The largest modulus of a Floquet multiplier besides the trivial one; below one for a stable motion.
+    /// The largest modulus of a Floquet multiplier other than the trivial one; less than one if the motion is stable.
     pub multiplier: f64,
-    /// Whether the load has a fold here: two slipping motions merge.
+    /// Whether the load has an extremum here (fold): two slipping motions merge.
     pub fold: bool,
     /// Angle, slip and currents at one instant of the motion.
     pub state: Vec<f64>,
@@ -49,39 +50,42 @@ impl Slipping {
     }
 }
 
-/// All periodic motions that slip behind the field, from fast to slow.
+/// All periodic slipping motions on one branch, from the fastest to the slowest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OutOfStep {
     pub motions: Vec<Slipping>,
-    /// The limit of the load, N m, as the period tends to infinity: a homoclinic motion leaves the unstable equilibrium and
-    /// returns to it a turn later. `None` where the continuation did not reach it.
+    /// The limit of the load, N m, as the period tends to infinity. There a homoclinic motion leaves the unstable
+    /// equilibrium and returns to it one turn later. `None` if the continuation did not reach it.
     pub limit: Option<f64>,
 }
 
-/// Steps of the continuation along equilibria and along slipping motions, in units of the motor.
+/// The step of the continuation along equilibria and slipping motions, in scaled variables.
 const STEP: f64 = 0.15;
 const LONGER_STEP: f64 = 1.5;
 /// The greatest number of points of a continuation.
 const MOST: usize = 400;
-/// The tolerance of the integration of a turn.
+/// The tolerance of the integration over one period.
 const TOLERANCE: f64 = 1e-13;
-/// The longest period that is followed, in units of 1/frequency.
+/// The longest period that is computed, in units of 1/frequency.
 const LONGEST: f64 = 120.0;
-/// The load is near its limit when it changes by less than this fraction of the pull-out torque b while the period grows by 1/frequency.
-/// Nearer to the limit shooting fails: the sensitivity of a turn's end grows as fast as the load settles.
+/// The load counts as near its limit if it changes by less than this fraction of the pull-out torque b while the period
+/// increases by 1/frequency. Closer to the limit shooting fails, because the sensitivity of the motion's end grows as
+/// fast as the load converges.
 const SETTLED: f64 = 1e-8;
-/// The least period near the limit, and the differences of the periods from which it is extrapolated, in units of 1/frequency.
+/// The shortest period that counts as near the limit, and the difference of the periods used for extrapolation, in
+/// units of 1/frequency.
 const LONG: f64 = 8.0;
 const APART: f64 = 1.5;
 /// The slip at which the continuation begins is at least this multiple of the frequency.
 const FAST: f64 = 6.0;
-/// The greatest number of doublings of that slip, where friction is small.
+/// The greatest number of doublings of that slip, if friction is small.
 const MOST_DOUBLINGS: u32 = 8;
-/// The greatest load that is followed, in units of the pull-out torque b.
+/// The greatest load that is computed, in units of the pull-out torque b.
 const MOST_LOAD: f64 = 50.0;
 
 impl Loaded {
-    /// All synchronous steady states within half a turn on both sides of the lowest energy, with their loads, in order of the angle.
+    /// All synchronous steady states within half a turn on either side of the angle of least energy, with their loads,
+    /// in the order of the angle.
     pub fn in_step(&self) -> Vec<Standing> {
         let sizes = &self.facts.sizes;
         let bottom = self.facts.bottom;
@@ -112,14 +116,14 @@ impl Loaded {
         in_step.iter().filter(|standing| standing.fold).max_by(|a, b| a.load.total_cmp(&b.load))
     }
 
-    /// The branch of slipping motions, from fast slip at which friction balances the load, down to the longest periods.
+    /// The branch of slipping motions, from a fast slip at which friction balances the load, to the longest periods.
     ///
     /// # Errors
-    /// [`Failure`] where the first motion is not found, or one of them cannot be integrated for a turn.
+    /// [`Failure`] if the first motion is not found, or if a motion cannot be integrated over one period.
     pub fn out_of_step(&self) -> Result<OutOfStep, Failure> {
         let facts = &self.facts;
         let count = facts.sizes.len();
-        // at this slip friction alone exceeds the pull-out torque: the branch has no folds at faster slips
+        // at this slip friction alone exceeds the pull-out torque, hence there is no fold at faster slips
         let asks = |slip: f64| self.own.torque(facts.bottom, -slip) + facts.friction;
         let slow = facts.field_speed.abs().max(FAST * facts.frequency);
         let faster = |doublings: u32| slow * f64::from(1u32 << doublings);
@@ -143,9 +147,10 @@ impl Loaded {
         Ok(OutOfStep { motions, limit })
     }
 
-    /// The limit of the load for infinite periods T. The rotor approaches the unstable equilibrium as exp(-a t) and leaves it as
-    /// exp(r t), a and r from the eigenvalues. The load therefore differs from its limit by a sum of exp(-r T) and exp(-a T)
-    /// (Shilnikov 1963), and three long motions determine the limit. `None` without an equilibrium.
+    /// The limit of the load for period T to infinity. The rotor approaches the unstable equilibrium as exp(-a t) and
+    /// leaves it as exp(r t), with a and r from the eigenvalues. Therefore the load differs from its limit by a linear
+    /// combination of exp(-r T) and exp(-a T) (Shilnikov 1963), and three motions of long period determine the limit.
+    /// `None` if there is no equilibrium.
     fn limit(&self, motions: &[Slipping]) -> Option<f64> {
         let c = motions.last()?;
         let earlier =
@@ -159,7 +164,8 @@ impl Loaded {
         Some(found.x).filter(|load| load.is_finite())
     }
 
-    /// Slipping motions by continuation from a guess; among the unknowns the period takes the place of the angle.
+    /// Slipping motions by continuation from an initial guess. The angle is fixed as a phase condition; the period is
+    /// the unknown in its place.
     fn turns(
         &self,
         start: &[f64],
@@ -187,10 +193,10 @@ impl Loaded {
         Ok((places.into_iter().map(slipping).collect::<Result<_, _>>()?, last))
     }
 
-    /// The slipping motions under one load, N m, from fast to slow.
+    /// The slipping motions under one load, N m, from the fastest to the slowest.
     ///
     /// # Errors
-    /// [`Failure`] where one of them cannot be integrated for a turn.
+    /// [`Failure`] if a motion cannot be integrated over one period.
     pub fn slipping_under(&self, load: f64, all: &OutOfStep) -> Result<Vec<Slipping>, Failure> {
         let mut found = Vec::new();
         for pair in all.motions.windows(2) {
@@ -211,8 +217,8 @@ impl Loaded {
         Ok(found)
     }
 
-    /// The rates, 1/s, at which the rotor leaves the unstable equilibrium under a load and approaches it; of complex
-    /// eigenvalues the real part counts.
+    /// The rates, 1/s, at which the rotor leaves the unstable equilibrium under a load and approaches it; for complex
+    /// eigenvalues the real part.
     fn rates_at_balance(&self, load: f64) -> Option<[f64; 2]> {
         let all = self.in_step();
         let between = |pair: &&[Standing]| {

@@ -1,4 +1,5 @@
-//! A motor alone whose load is a constant state, for continuation of equilibria and slipping motions over the load.
+//! A motor on a bench whose load is a constant component of the state, for the continuation of equilibria and slipping
+//! motions over the load.
 
 use crate::scene::{Scene, Setup, Start};
 use field::{Analytic, Circle, Over};
@@ -10,7 +11,7 @@ use std::fmt;
 use std::sync::Arc;
 use systems::gyrostat::Gyrostat;
 
-/// The law of a bench with the load torque, N m, as its last state.
+/// The law of a bench with the load torque, N m, as the last component of the state.
 #[derive(Clone, Debug)]
 pub struct UnderLoad(pub Bench<f64, Motor>);
 
@@ -27,32 +28,33 @@ impl<S: Over<f64> + Analytic> Ode<S> for UnderLoad {
     }
 }
 
-/// A motor with an angle to its field, with its law under load and its characteristic quantities.
+/// A motor whose state contains the angle relative to its field, with its law under load and its characteristic
+/// quantities.
 #[derive(Clone)]
 pub struct Loaded {
     pub machine: Motor,
-    /// The rotor's axial moment of inertia, kg m^2.
+    /// The rotor's moment of inertia about its axis, kg m^2.
     pub axial: f64,
-    /// The law; its state is angle, slip, currents, load.
+    /// The law; its state is (angle, slip, currents, load).
     pub law: Arc<dyn Law>,
     pub facts: Facts,
     pub(super) own: Arc<UnderLoad>,
 }
 
-/// Characteristic quantities of a motor.
+/// The characteristic quantities of a motor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Facts {
-    /// W, rad/s
+    /// The angular velocity W of the field, rad/s.
     pub field_speed: f64,
     /// The torque of friction at synchronism, N m.
     pub friction: f64,
-    /// The pull-out torque b of a field U = -b cos g whose range of energy is that of the motor's field, N m.
+    /// The pull-out torque b, N m, of the field U = -b cos g whose energy has the same range as that of the motor.
     pub hold: f64,
-    /// sqrt(b / A'), 1/s: the angular frequency of small oscillations about synchronism.
+    /// The angular frequency sqrt(b / A') of small oscillations about synchronism, 1/s.
     pub frequency: f64,
     /// The angle of least field energy, rad.
     pub bottom: f64,
-    /// The usual size of angle, slip, currents and load.
+    /// The typical magnitudes of angle, slip, currents and load, for scaling.
     pub sizes: Vec<f64>,
 }
 
@@ -64,18 +66,18 @@ impl UnderLoad {
         machine.torque_law(slip, speed) - machine.field_energy(angle.circle().moving(1.0)).slope
     }
 
-    /// [`height`](super::energy::height) at a state with its load.
+    /// The function V of [`height`](super::energy::height) at a state that includes the load.
     pub(super) fn height(&self, y: &[f64]) -> f64 {
         y.split_last().map_or(f64::NAN, |(load, state)| super::energy::height(&self.0, *load, state))
     }
 }
 
-/// The reason why a motor has no synchronism to study.
+/// The reason why synchronism cannot be studied for a motor.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoField {
-    /// The machine has no angle to its field as a state.
+    /// The state of the machine does not contain an angle relative to its field.
     NoAngle { model: &'static str },
-    /// A supply drives its currents: no energy decides synchronism.
+    /// A supply drives its currents, hence no energy decides synchronism.
     Fed { model: &'static str },
     /// The field energy does not depend on the angle.
     Flat { model: &'static str },
@@ -107,10 +109,10 @@ impl fmt::Display for NoField {
 impl std::error::Error for NoField {}
 
 impl Loaded {
-    /// The motor of a scene on a bench: the rotor alone, the housing at rest.
+    /// The motor of a scene on a bench: only the rotor moves, the housing is at rest.
     ///
     /// # Errors
-    /// [`NoField`].
+    /// [`NoField`] gives the reason why synchronism cannot be studied.
     pub fn of(scene: &Scene) -> Result<Self, NoField> {
         let axial = match &scene.system {
             Setup::Bench { axial } => *axial,
@@ -119,10 +121,10 @@ impl Loaded {
         Loaded::new(&scene.machine, axial)
     }
 
-    /// A machine with a rotor of this moment of inertia, kg m^2.
+    /// The motor with a rotor of this moment of inertia, kg m^2.
     ///
     /// # Errors
-    /// [`NoField`].
+    /// [`NoField`] gives the reason why synchronism cannot be studied.
     pub fn new(machine: &Motor, axial: f64) -> Result<Self, NoField> {
         if machine.rotor() != RotorState::AngleAndSpeed {
             return Err(NoField::NoAngle { model: machine.name() });
@@ -159,8 +161,8 @@ impl Loaded {
     }
 }
 
-/// The scene's motor with another number of bars, as their equivalent windings, which have exactly equal torque; `None`
-/// for a motor without bars.
+/// The scene's motor with another number of bars, represented by the equivalent windings, which have exactly the same
+/// torque; `None` if the motor has no bars.
 pub fn with_bars(scene: &Scene, bars: usize) -> Option<Scene> {
     let given = scene.given.with_count("bars", bars).ok()?;
     let machine = given.model("equivalent_windings").ok()?;
@@ -168,7 +170,8 @@ pub fn with_bars(scene: &Scene, bars: usize) -> Option<Scene> {
     Some(Scene { machine, given, start, ..scene.clone() })
 }
 
-/// The scene's motor without currents, with the damping f / sqrt(A' b); `None` where the data do not suffice.
+/// The scene's motor without currents, with the dimensionless damping f / sqrt(A' b); `None` if the data do not
+/// suffice.
 pub fn with_damping(scene: &Scene, damping: f64) -> Option<Scene> {
     let plain = scene.with_model("synchronous").ok()?;
     let motor = Loaded::of(&plain).ok()?;
@@ -176,13 +179,13 @@ pub fn with_damping(scene: &Scene, damping: f64) -> Option<Scene> {
     Some(Scene { machine: given.model("synchronous").ok()?, given, ..plain })
 }
 
-/// The effective moment of inertia of the rotor in a free carrier under a torque between them, kg m^2:
-/// 1 / (1/A' + l.A^-1 l), as the page `synchronism` proves.
+/// The effective moment of inertia, kg m^2, of the rotor in a free carrier under a torque between the two: 1 / (1/A' +
+/// l.A^-1 l). The page `synchronism` proves this formula.
 pub fn giving_way(bodies: &Gyrostat<f64>) -> f64 {
     let (axis, axial) = (bodies.rotor.axis, bodies.rotor.axial);
     let carrier = bodies.reduced_tensor().lu().solve(&axis).map_or(0.0, |response| axis.dot(&response));
     1.0 / (1.0 / axial + carrier)
 }
 
-/// Angles of a turn at which energy and fluxes are sampled.
+/// The number of angles of one turn at which energy and fluxes are sampled.
 const SAMPLES: u32 = 256;

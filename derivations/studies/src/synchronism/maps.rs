@@ -1,23 +1,24 @@
-//! Maps of pull-in: the share of initial states that reach synchronism, over load and damping, or over load and bars.
+//! Maps of pull-in: the fraction of initial states that reach synchronism, over load and damping, or over load and
+//! number of bars.
 
 use super::basin::{NoShares, Share, Starts, shares};
 use super::loaded::{Loaded, with_damping};
 use crate::scene::{Scene, Setup};
 
-/// One row of the map of the motor without currents: the fates of the initial states under each load.
+/// One row of the map of the motor without currents: the outcomes of the initial states under each load.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// f / sqrt(A' b)
+    /// The dimensionless damping f / sqrt(A' b).
     pub damping: f64,
     pub shares: Vec<Share>,
-    /// The least load with a stable slipping motion, N m, where it is known.
+    /// The least load, N m, with a stable slipping motion, if it is known.
     pub pull_in: Option<f64>,
 }
 
-/// The time of a run of a motor without currents, in units of 1/frequency.
+/// The length of an integration of the motor without currents, in units of 1/frequency.
 const SWINGS: f64 = 200.0;
 
-/// The scene's motor alone on a bench.
+/// The scene with its motor alone, on a bench.
 pub fn alone(scene: &Scene) -> Scene {
     let axial = match &scene.system {
         Setup::Bench { axial } => *axial,
@@ -26,10 +27,11 @@ pub fn alone(scene: &Scene) -> Scene {
     Scene { system: Setup::Bench { axial }, ..scene.clone() }
 }
 
-/// The row of the motor without currents with a damping, under the drag torques M + f W, in units of the pull-out torque b.
+/// The row for the motor without currents with a given damping, under the total braking torques M + f W, in units of
+/// the pull-out torque b.
 ///
 /// # Errors
-/// [`NoShares`].
+/// [`NoShares`] gives the reason why no shares were computed.
 pub fn over_damping(scene: &Scene, damping: f64, drags: &[f64], starts: (usize, usize)) -> Result<Row, NoShares> {
     let none = || NoShares::Law("the scene's data make no motor without currents".into());
     let scene = alone(&with_damping(scene, damping).ok_or_else(none)?);
@@ -44,11 +46,11 @@ pub fn over_damping(scene: &Scene, damping: f64, drags: &[f64], starts: (usize, 
     Ok(Row { damping, shares, pull_in })
 }
 
-/// The shares of a scene's motor, in its gyrostat or on its bench, from slips between standstill and synchronism, under loads, N m, for
-/// a time, s.
+/// The outcomes for a scene's motor, in its gyrostat or on its bench, from slips between standstill and synchronism,
+/// under loads, N m, within a time, s.
 ///
 /// # Errors
-/// [`NoShares`].
+/// [`NoShares`] gives the reason why no shares were computed.
 pub fn over_starts(scene: &Scene, loads: &[f64], starts: (usize, usize), span: f64) -> Result<Vec<Share>, NoShares> {
     let motor = Loaded::of(scene).map_err(NoShares::Field)?;
     let starts = Starts { angles: starts.0, slips: starts.1, slip: [-motor.facts.field_speed, 0.0] };

@@ -1,15 +1,18 @@
 //! A synchronous motor under load: pull-out, pull-in, and the initial states from which it reaches synchronism.
 //!
 //! # Overview
-//! * [`loaded`]: the motor alone, its load a constant state;
-//! * [`branches`]: all synchronous equilibria up to the pull-out, and all periodic slipping motions, over the load, with stability;
-//! * [`pull_in`]: the least load with stable slipping;
+//! * [`loaded`]: the motor alone, with its load as a constant component of the state;
+//! * [`branches`]: all synchronous equilibria up to the pull-out, and all periodic slipping motions, over the load,
+//!   with their stability;
+//! * [`pull_in`]: the least load with a stable slipping motion;
 //! * [`energy`]: a Lyapunov function that proves synchronism;
-//! * [`basin`]: the basin of attraction of synchronism, sampled on the bench and in a gyrostat;
-//! * [`maps`]: the share of synchronous initial states over load and damping, over load and bars.
+//! * [`basin`]: the basin of attraction of synchronism, by sampling, on the bench and in a gyrostat;
+//! * [`maps`]: the fraction of initial states that reach synchronism, over load and damping, and over load and number
+//!   of bars.
 //!
-//! Pull-out is the load at which the synchronous equilibria end, a saddle-node bifurcation. Pull-in is the least load with a stable
-//! slipping motion. Between the two loads both are stable, and the initial state decides. Proofs: `derivations/theorems/src/synchronism.rs`.
+//! Pull-out is the load at which the synchronous equilibria end in a saddle-node bifurcation. Pull-in is the least load
+//! with a stable slipping motion. Between the two loads synchronism and slipping are both stable, and the initial state
+//! decides which one is reached. For proofs see `derivations/theorems/src/synchronism.rs`.
 
 pub mod basin;
 pub mod branches;

@@ -1,45 +1,46 @@
-//! The programme between two discs under constant torques: a quadrature in closed form.
+//! The prescribed motion (programme) of the wheel between two discs under constant torques: a quadrature in closed
+//! form.
 //!
-//! (A + B/rho^3) rho' = -r (M1/rho + M2/(a - rho)) with A = J omega2/r, B = J1 omega2 a r, so that
+//! The equation is (A + B/rho^3) rho' = -r (M1/rho + M2/(a - rho)) with A = J omega2/r, B = J1 omega2 a r. Therefore
 //!
 //!   -r t = integral of (A rho (a - rho) + B (a - rho)/rho^2) / D(rho),   D = M1 (a - rho) + M2 rho .
 //!
-//! The integrand is rational, its integral is a sum of powers, reciprocals and two logarithms. The inverse rho(t) has no
-//! closed form. The wheel takes infinite time to reach the axis of the first disc; at the axis of the second rho' is
-//! infinite.
+//! The integrand is rational; its integral is a sum of powers, reciprocals and two logarithms. The inverse function
+//! rho(t) has no closed form. The wheel approaches the axis of the first disc in infinite time; at the axis of the
+//! second disc rho' becomes infinite.
 
 use super::constant::ProgrammeEnd;
 use super::{Gearing, Governor};
 use field::{Base, Scalar};
 
-/// The law of the programme at a prescribed speed.
+/// The law of the programme for a prescribed speed of the second shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Between<P> {
-    /// A = J omega2/r
+    /// The coefficient A = J omega2/r.
     pub wheel: P,
-    /// B = J1 omega2 a r
+    /// The coefficient B = J1 omega2 a r.
     pub first: P,
-    /// r
+    /// The radius r of the wheel.
     pub radius: P,
-    /// a
+    /// The distance a of the axes.
     pub distance: P,
-    /// M1, M2
+    /// The torques M1, M2.
     pub moments: [P; 2],
 }
 
-/// t(rho) up to a constant, as a sum of elementary functions with these factors.
+/// The function t(rho), up to a constant, as a linear combination of elementary functions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quadrature<S> {
-    /// Factors of rho^3, rho^2, rho.
+    /// The coefficients of rho^3, rho^2, rho.
     pub powers: [S; 3],
-    /// Factors of 1/rho, 1/rho^2.
+    /// The coefficients of 1/rho, 1/rho^2.
     pub reciprocals: [S; 2],
-    /// Factors of ln rho and ln |D|.
+    /// The coefficients of ln rho and ln |D|.
     pub logarithms: [S; 2],
 }
 
 impl<P: Base> Governor<P> {
-    /// The law between two discs at a prescribed speed, with the torques at t = 0; `None` where the first lever is constant.
+    /// The law between two discs for a prescribed speed, with the torques at t = 0; `None` for a drum.
     pub fn between(&self, speed: P) -> Option<Between<P>> {
         let Gearing::Discs { distance } = self.gearing else { return None };
         let [first, _, wheel] = self.inertia;
@@ -54,7 +55,7 @@ impl<P: Base> Governor<P> {
 }
 
 impl<S: Scalar> Between<S> {
-    /// D(rho): the torques on the wheel, times both levers.
+    /// The denominator D(rho): the torque on the wheel, multiplied by both levers.
     pub fn pull(&self, rho: S) -> S {
         self.moments[0] * (self.distance - rho) + self.moments[1] * rho
     }
@@ -87,7 +88,8 @@ impl<S: Scalar> Between<S> {
         self.scaled([S::zero(), -half, a / m], S::zero(), [S::one() / m, -a * half], [S::zero(); 2])
     }
 
-    /// A times the powers with their ln |D|, plus B times the reciprocals with their logarithms, over -r.
+    /// The quadrature: A times the powers and their ln |D|, plus B times the reciprocals and their logarithms, divided
+    /// by -r.
     fn scaled(&self, powers: [S; 3], of_powers: S, reciprocals: [S; 2], logarithms: [S; 2]) -> Quadrature<S> {
         let [by_wheel, by_first] = [self.wheel, self.first].map(|inertia| -inertia / self.radius);
         let [of_rho, of_pull] = logarithms.map(|factor| by_first * factor);
@@ -98,7 +100,7 @@ impl<S: Scalar> Between<S> {
         }
     }
 
-    /// dt/drho of a quadrature.
+    /// The derivative dt/drho of a quadrature.
     pub fn slope(&self, of: &Quadrature<S>, rho: S) -> S {
         let Quadrature { powers: [cube, square, linear], reciprocals: [one, two], logarithms: [near, far] } = *of;
         let polynomial = (S::int(3) * cube * rho + S::int(2) * square) * rho + linear;
@@ -108,8 +110,8 @@ impl<S: Scalar> Between<S> {
 }
 
 impl Between<f64> {
-    /// The time, s, at which the wheel passes rho on its way from `start`; NaN where it never does. Near M1 = M2 terms of
-    /// the size (a M1/(M1 - M2))^3 cancel.
+    /// The time, s, at which the wheel passes rho on its way from `start`; NaN if it never does. Near M1 = M2 there is
+    /// cancellation of terms of magnitude (a M1/(M1 - M2))^3.
     pub fn time(&self, start: f64, rho: f64) -> f64 {
         let (from, to) = (self.pull(start), self.pull(rho));
         if from * to <= 0.0 && from != to {
@@ -131,11 +133,11 @@ impl Between<f64> {
         polynomial + reciprocal + logarithm(rho / start, near) + logarithm(to / from, far)
     }
 
-    /// The long-time behaviour from `start`.
+    /// The long-time behaviour of the motion from `start`.
     pub fn course(&self, start: f64) -> ProgrammeEnd {
         let [m1, m2] = self.moments;
         let outwards = -self.pull(start) / self.first;
-        // without a torque on the second shaft the balance is at its axis
+        // without a torque on the second shaft the equilibrium is at the axis of that shaft
         let balance = if m2 == 0.0 { self.distance } else { m1 * self.distance / (m1 - m2) };
         let attracts = (m2 - m1) / self.first > 0.0;
         if outwards == 0.0 {
@@ -149,7 +151,7 @@ impl Between<f64> {
         }
     }
 
-    /// rho at an instant, by the quadrature; `None` after the end.
+    /// The distance rho at an instant, by inversion of the quadrature; `None` after the end of the motion.
     pub fn distance_at(&self, start: f64, time: f64) -> Option<f64> {
         let goal = match self.course(start) {
             ProgrammeEnd::Rest => return Some(start),
@@ -157,7 +159,7 @@ impl Between<f64> {
             ProgrammeEnd::ReachesAxis { .. } | ProgrammeEnd::Grows => self.distance,
             ProgrammeEnd::TendsTo { distance } => distance,
         };
-        // the time is monotone along the way: bisection from start towards the goal
+        // the time is monotone along the motion: bisection between start and goal
         let (mut passed, mut ahead) = (start, goal);
         loop {
             let middle = 0.5 * (passed + ahead);

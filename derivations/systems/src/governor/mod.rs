@@ -1,13 +1,17 @@
-//! Friction governors: two shafts and an intermediate wheel that is moved so that the second shaft keeps its speed.
+//! Friction governors: two shafts are coupled by an intermediate wheel, which is moved so that the speed of the second
+//! shaft is constant.
 //!
-//! Coordinates (c1, s1, c2, s2, c, s, rho): the directions of both discs and of the wheel, each a plane body that turns
-//! about a fixed axis, and the distance of the wheel from the axis of the second disc (with a [`Gearing::Drum`]) or of the
-//! first (with [`Gearing::Discs`]). The wheel rolls on both without slipping; a force acts on it along its axle.
+//! The coordinates are (c1, s1, c2, s2, c, s, rho): unit vectors that describe the rotation of both discs and of the
+//! wheel about their fixed axes, and the distance rho of the wheel from the axis of the second disc (with a
+//! [`Gearing::Drum`]) or of the first disc (with [`Gearing::Discs`]). The wheel rolls on both bodies without slipping;
+//! a force along its axle acts on it.
 //!
-//! * [`programme`]: the motion of the wheel that keeps the speed, and its control force; [`servo`]: as a servo constraint;
-//! * [`constant`]: the programme in closed form under constant torques, and its end; [`between`]: between two discs;
-//! * [`series`]: the programme by powers of a small parameter;
-//! * [`released`]: the motion near the programme, and its linearisation.
+//! * [`programme`]: the motion of the wheel for which the speed is constant, and its control force; [`servo`]: the same
+//!   as a servo constraint;
+//! * [`constant`]: the programme under constant torques in closed form, and its end; [`between`]: the programme between
+//!   two discs;
+//! * [`series`]: the programme as a power series in a small parameter;
+//! * [`released`]: motions near the programme, and their linearisation.
 
 pub mod between;
 pub mod constant;
@@ -23,18 +27,20 @@ use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, Stat
 /// The bodies on which the wheel rolls.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Gearing<P> {
-    /// A drum of radius R on the first shaft, along which the wheel slides; on the second disc at rho from its axis.
+    /// A drum of radius R on the first shaft, along which the wheel slides; the wheel touches the second disc at the
+    /// distance rho from its axis.
     Drum { radius: P },
-    /// Two discs whose axes are a apart: at rho from the first axis, at a - rho from the second.
+    /// Two discs whose axes are at the distance a; the wheel touches them at rho from the first axis and at a - rho
+    /// from the second.
     Discs { distance: P },
 }
 
-/// A torque that is linear in the time: M + M' t.
+/// A torque that is linear in time: M + M' t.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Torque<P> {
-    /// at t = 0, N m
+    /// The torque M at t = 0, N m.
     pub start: P,
-    /// N m/s
+    /// Its rate of change M', N m/s.
     pub growth: P,
 }
 
@@ -44,7 +50,7 @@ impl<P: Base> Torque<P> {
         Torque { start, growth: P::zero() }
     }
 
-    /// M(t)
+    /// The torque at a time.
     pub fn at<S: Over<P>>(&self, time: S) -> S {
         S::lift(self.start) + S::lift(self.growth) * time
     }
@@ -53,23 +59,23 @@ impl<P: Base> Torque<P> {
 /// The data of a governor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Governor<P> {
-    /// J1, J2 of the discs with their shafts and J of the wheel about their axes, kg m^2
+    /// The moments of inertia about their axes, kg m^2: J1, J2 of the discs with their shafts, and J of the wheel.
     pub inertia: [P; 3],
-    /// m of the wheel with its axle, kg
+    /// The mass m of the wheel with its axle, kg.
     pub mass: P,
-    /// r of the wheel, m
+    /// The radius r of the wheel, m.
     pub radius: P,
     pub gearing: Gearing<P>,
-    /// M1, M2 on the shafts
+    /// The torques M1, M2 on the shafts.
     pub moments: [Torque<P>; 2],
-    /// u, the force along the axle, N
+    /// The force u along the axle, N.
     pub push: P,
-    /// F11 + F22, the friction across the wheel at both contacts, against the growth of rho, N
+    /// The friction force F11 + F22 of both contacts across the wheel's plane, opposite to the growth of rho, N.
     pub lateral: P,
 }
 
 impl<P: Base> Governor<P> {
-    /// The levers of the contacts about the axes of the first and of the second disc, m.
+    /// The lever arms of the contacts about the axes of the first and the second disc, m.
     pub fn levers<S: Over<P>>(&self, rho: S) -> [S; 2] {
         match self.gearing {
             Gearing::Drum { radius } => [S::lift(radius), rho],
@@ -78,7 +84,7 @@ impl<P: Base> Governor<P> {
     }
 }
 
-/// The angular velocity, rad/s, of a body: first disc, second disc, wheel.
+/// The angular velocity, rad/s, of a body (0: first disc, 1: second disc, 2: wheel).
 fn turning<S: Scalar>(at: &State<S, 7>, body: usize) -> S {
     let (cos, sin) = (2 * body, 2 * body + 1);
     at.place[cos] * at.velocity[sin] - at.place[sin] * at.velocity[cos]
@@ -100,7 +106,8 @@ impl<P: Base> PointSystem<7> for Governor<P> {
     }
 }
 
-/// The directions are unit vectors; the rim of the wheel moves with the first disc and with the second.
+/// The constraints: the directions are unit vectors, and the wheel's rim has the velocity of the first disc and of the
+/// second disc at the contacts.
 impl<P: Base> Constrained<7, 5> for Governor<P> {
     fn constraints<S: Over<P>>(&self, at: &State<S, 7>) -> [Constraint<S>; 5] {
         let length = |k: usize| {
@@ -115,7 +122,8 @@ impl<P: Base> Constrained<7, 5> for Governor<P> {
     }
 }
 
-/// The reaction of rigidity is along each direction; a contact acts on the rim of the wheel and oppositely on the disc.
+/// The reactions: the internal force of a rigid body is along its unit vector; a contact force acts on the wheel's rim,
+/// and the opposite force on the disc.
 impl<P: Base> Reactions<7, 5> for Governor<P> {
     fn reactions<S: Over<P>>(&self, at: &State<S, 7>) -> [[S; 7]; 5] {
         let [c1, s1, c2, s2, c, s, rho] = at.place;
@@ -131,7 +139,7 @@ impl<P: Base> Reactions<7, 5> for Governor<P> {
     }
 }
 
-/// q = (phi1, phi2, phi, rho), p = (omega2, rho').
+/// The chart q = (phi1, phi2, phi, rho) with p = (omega2, rho').
 impl<P: Base> Charted<7, 4, 2> for Governor<P> {
     fn place<S: Over<P> + Analytic>(&self, _time: S, [phi1, phi2, phi, rho]: [S; 4]) -> [S; 7] {
         let [first, second, wheel] = [phi1, phi2, phi].map(Analytic::circle);

@@ -1,7 +1,9 @@
-//! The programme: the motion of the wheel with which the second shaft keeps its speed, and the control force for it.
+//! The programme: the motion of the wheel for which the speed of the second shaft is constant, and the control force it
+//! requires.
 //!
-//! With omega2' = 0 Appell's equation for omega2 contains no acceleration: it is a condition on rho', affine in it. The equation for
-//! rho gives the force. The condition on the speed is no contact constraint: no reaction acts on the second shaft.
+//! With omega2' = 0, Appell's equation for omega2 contains no acceleration: it is a condition on rho', and affine in
+//! it. The equation for rho then gives the force. The condition of constant speed is not a contact constraint, hence no
+//! reaction acts on the second shaft.
 
 use super::Governor;
 use field::{Analytic, Base, Over, Tangent};
@@ -10,7 +12,8 @@ use mechanics::constrained::appell::residual;
 use mechanics::constrained::motion::Motion;
 
 impl<P: Base> Governor<P> {
-    /// dS'/dp' - Q' for p = (omega2, rho') at the rates p'; all angles are zero, since no equation depends on them.
+    /// The residuals dS'/dp' - Q' of Appell's equations for p = (omega2, rho') at the rates p'. All angles are set to
+    /// zero, since no equation depends on them.
     pub fn balance<S: Over<P> + Analytic>(&self, time: S, rho: S, p: [S; 2], rates: [S; 2]) -> [S; 2] {
         let zero = S::zero();
         let motion: Motion<S, 7, 2> = Motion::at(self, time, [zero, zero, zero, rho], p);
@@ -18,7 +21,7 @@ impl<P: Base> Governor<P> {
         residual(self, &motion, force, rates)
     }
 
-    /// rho' that keeps omega2, m/s: not finite where the lever or the speed vanishes.
+    /// The rate rho', m/s, for which omega2 is constant; not finite if the lever arm or the speed is zero.
     pub fn programme<S: Over<P> + Analytic>(&self, time: S, rho: S, speed: S) -> S
     where
         Tangent<S>: Over<P>,
@@ -30,7 +33,7 @@ impl<P: Base> Governor<P> {
         -condition.value / condition.slope
     }
 
-    /// rho'' along the programme, m/s^2.
+    /// The acceleration rho'' along the programme, m/s^2.
     pub fn programme_acceleration<S: Over<P> + Analytic>(&self, time: S, rho: S, speed: S) -> S
     where
         Tangent<S>: Over<P>,
@@ -40,7 +43,8 @@ impl<P: Base> Governor<P> {
         self.programme(Tangent::variable(time), Tangent::moving(rho, drift), Tangent::fixed(speed)).slope
     }
 
-    /// The control force u along the programme, N, besides the push of the data: the residual of the wheel's equation.
+    /// The control force u along the programme, N, in addition to the force `push` of the data: the residual of the
+    /// equation for rho.
     pub fn control_force<S: Over<P> + Analytic>(&self, time: S, rho: S, speed: S) -> S
     where
         Tangent<S>: Over<P>,

@@ -1,5 +1,5 @@
-//! The governor near its programme: omega2 = omega2_0 + zeta, rho = rho_0 + rho', with the linearisation
-//! in (zeta, rho', z = rho'') by differentiation of Appell's equations.
+//! The governor near its programme, omega2 = omega2_0 + zeta, rho = rho_0 + rho': the equations of motion, and their
+//! linearisation in (zeta, rho', z = rho'') by differentiation of Appell's equations.
 
 use super::Governor;
 use field::{Analytic, Base, Over, Scalar, Tangent};
@@ -10,10 +10,11 @@ use mechanics::definite::NotDefinite;
 use mechanics::differentiate::{along, unit};
 
 impl<P: Base> Governor<P> {
-    /// (omega2', rho', rho'') at (omega2, rho, rho') under a force along the axle besides that of the data, N.
+    /// The rates (omega2', rho', rho'') at (omega2, rho, rho'), with a force along the axle, N, in addition to that of
+    /// the data.
     ///
     /// # Errors
-    /// [`NotDefinite`] where an inertia or mass that the accelerations need vanishes.
+    /// [`NotDefinite`] if an inertia or mass that determines the accelerations is zero.
     pub fn released<S: Over<P> + Analytic>(
         &self,
         time: S,
@@ -31,7 +32,7 @@ impl<P: Base> Governor<P> {
     /// The linearisation x' = A x + b u1 about a state.
     ///
     /// # Errors
-    /// As [`released`](Self::released).
+    /// [`NotDefinite`] under the condition of [`released`](Self::released).
     pub fn linearised<S: Over<P> + Analytic>(
         &self,
         time: S,
@@ -54,17 +55,17 @@ impl<P: Base> Governor<P> {
     }
 }
 
-/// x' = A x + b u.
+/// The linearised equations x' = A x + b u.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearisedEquations<S> {
-    /// A
+    /// The matrix A.
     pub matrix: [[S; 3]; 3],
-    /// b
+    /// The vector b.
     pub control: [S; 3],
 }
 
 impl<S: Scalar> LinearisedEquations<S> {
-    /// A x
+    /// The product A x.
     pub fn apply(&self, x: [S; 3]) -> [S; 3] {
         self.matrix.map(|row| (0..3).fold(S::zero(), |sum, j| sum + row[j] * x[j]))
     }

@@ -1,12 +1,13 @@
-//! The programme by powers of a small parameter: rho rho' = eps (k1 + k2 rho), rho = sum eps^i rho_i(t).
+//! The programme as a power series in a small parameter: rho rho' = eps (k1 + k2 rho), rho = sum eps^i rho_i(t).
 //!
-//! Each order is a quadrature, rho_0 rho_n' = [n = 1] k1 + k2 rho_(n-1) - sum over 0 < i < n of rho_i rho'_(n-i). If the
-//! torques are polynomials of the time, the rho_i are too, and the quadratures are exact in any field.
+//! Each order is a quadrature, rho_0 rho_n' = [n = 1] k1 + k2 rho_(n-1) - sum over 0 < i < n of rho_i rho'_(n-i). If
+//! the torques are polynomials in time, so are the rho_i, and the quadratures are exact for every scalar type.
 
 use super::{Gearing, Governor};
 use field::{Base, Scalar};
 
-/// eps, k1(t), k2(t) of rho' = eps (k1/rho + k2): polynomials by rising powers of the time.
+/// The data eps, k1(t), k2(t) of rho' = eps (k1/rho + k2); the polynomials are given by coefficients of ascending
+/// powers of time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Programme<P> {
     pub epsilon: P,
@@ -15,7 +16,8 @@ pub struct Programme<P> {
 }
 
 impl<P: Base> Governor<P> {
-    /// The programme's law at a prescribed speed; `None` where the first lever changes: the law then has another form.
+    /// The law of the programme for a prescribed speed of the second shaft; `None` for two discs, where the first lever
+    /// arm varies and the law has another form.
     pub fn small_parameter(&self, speed: P) -> Option<Programme<P>> {
         let Gearing::Drum { radius } = self.gearing else { return None };
         let [first, _, wheel] = self.inertia;
@@ -30,7 +32,7 @@ impl<P: Base> Governor<P> {
 }
 
 impl<P: Scalar> Programme<P> {
-    /// rho_0, ..., rho_order as polynomials of the time.
+    /// The coefficients rho_0, ..., rho_order as polynomials in time.
     pub fn series(&self, start: P, order: usize) -> Vec<Vec<P>> {
         let mut terms = vec![vec![start]];
         for n in 1..=order {
@@ -86,7 +88,7 @@ fn derivative<P: Scalar>(polynomial: &[P]) -> Vec<P> {
     polynomial.iter().enumerate().skip(1).map(|(power, &coefficient)| P::int(power as i64) * coefficient).collect()
 }
 
-/// The integral from 0 of the polynomial, over a divisor.
+/// The integral of the polynomial from 0, divided by `divisor`.
 fn integral<P: Scalar>(polynomial: &[P], divisor: P) -> Vec<P> {
     let terms = polynomial.iter().enumerate();
     let raised = terms.map(|(power, &coefficient)| coefficient / (divisor * P::int(power as i64 + 1)));

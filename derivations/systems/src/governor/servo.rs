@@ -1,8 +1,9 @@
-//! The programme as a servo constraint: the force along the axle of the wheel keeps the second shaft's speed.
+//! The programme as a servo constraint: the force along the axle of the wheel makes the speed of the second shaft
+//! constant.
 //!
-//! The gradient of the condition omega2 - omega = 0 is along the second shaft, on which no control acts: a multiplier
-//! there would mean another machine, with a motor on that shaft. The control force changes omega2' only through rho' and the
-//! levers; it is found from omega2'' = 0.
+//! The gradient of the condition omega2 - omega = 0 points along the rotation of the second shaft, on which no control
+//! acts. A multiplier there would describe another machine, one with a motor on that shaft. The control force affects
+//! omega2' only through rho' and the lever arms; it is determined from omega2'' = 0.
 
 use super::{Governor, turning};
 use field::{Base, Over};
@@ -14,7 +15,7 @@ use mechanics::differentiate::unit;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kept<P> {
     pub governor: Governor<P>,
-    /// omega, rad/s
+    /// The speed omega, rad/s.
     pub speed: P,
 }
 

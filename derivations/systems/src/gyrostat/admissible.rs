@@ -1,10 +1,10 @@
-//! Conditions for data of bodies that can exist, with a determined motion.
+//! Conditions on the data: the bodies can exist, and their motion is determined.
 
 use super::Gyrostat;
 use nalgebra::{Matrix3, Vector3};
 use std::fmt;
 
-/// The violation of a condition by rounding of the input that is tolerated, relative to the size of the tensor.
+/// The violation of a condition, relative to the norm of the tensor, that counts as rounding of the input.
 const ROUNDING: f64 = 1e-12;
 
 /// A condition that the data violate, with the value.
@@ -14,19 +14,20 @@ pub enum Inadmissible {
     NotFinite { quantity: &'static str, value: f64 },
     /// A datum must be positive.
     NotPositive { quantity: &'static str, value: f64 },
-    /// The acceleration of gravity may be zero, not negative.
+    /// The acceleration of gravity may be zero, but not negative.
     NegativeGravity { value: f64 },
-    /// l is no unit vector.
+    /// The vector l is not a unit vector.
     AxisNotUnit { length: f64 },
     /// The carrier's tensor is not symmetric.
     NotSymmetric { row: usize, column: usize, difference: f64 },
-    /// The carrier's tensor has a negative principal moment.
+    /// The carrier's tensor has a negative principal moment of inertia.
     Indefinite { moment: f64 },
-    /// One principal moment of the carrier exceeds the sum of the other two.
+    /// A principal moment of inertia of the carrier exceeds the sum of the other two.
     Triangle { about: &'static str, largest: f64, sum_of_others: f64 },
-    /// A' > 2 B'.
+    /// For the rotor A' > 2 B', which no body satisfies.
     RotorTriangle { axial: f64, twice_transverse: f64 },
-    /// The carrier has no inertia about the rotor's axis: A is singular, D = 0, and the motion is undetermined.
+    /// The carrier has no moment of inertia about the rotor's axis: A is singular, D = 0, and the motion is not
+    /// determined.
     Undetermined { moment: f64 },
 }
 
@@ -72,8 +73,8 @@ impl fmt::Display for Inadmissible {
 impl std::error::Error for Inadmissible {}
 
 impl Gyrostat<f64> {
-    /// Checks that both bodies can exist and that their motion is determined; the error lists every violated condition, not
-    /// only the first.
+    /// Checks that both bodies can exist and that their motion is determined; on failure the error lists all violated
+    /// conditions.
     pub fn admissible(&self) -> Result<(), Vec<Inadmissible>> {
         let mut broken = self.not_finite();
         if broken.is_empty() {
@@ -108,7 +109,7 @@ impl Gyrostat<f64> {
             .collect()
     }
 
-    /// The violations by derived quantities outside the range of numbers.
+    /// The violations because a derived quantity overflows.
     fn too_large(&self) -> Vec<Inadmissible> {
         let carrier = &self.carrier;
         let sizes = [
@@ -142,7 +143,7 @@ impl Gyrostat<f64> {
         }
     }
 
-    /// The tensors about O and about the centre of mass must both be inertia tensors of bodies.
+    /// Checks the carrier's tensors about O and about its centre of mass: both must be inertia tensors of a body.
     fn check_carrier(&self, broken: &mut Vec<Inadmissible>) {
         let tensor = self.carrier.inertia;
         let size = tensor.norm();
@@ -175,7 +176,7 @@ impl Gyrostat<f64> {
         }
     }
 
-    /// A must be positive definite: the equations of motion can then be solved for the accelerations.
+    /// Checks that A is positive definite: only then can the equations of motion be solved for the accelerations.
     fn check_motion(&self, broken: &mut Vec<Inadmissible>) {
         let moment = self.reduced_tensor().symmetric_eigenvalues().min();
         if moment <= ROUNDING * self.full_tensor().norm() {

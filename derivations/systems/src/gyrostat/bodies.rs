@@ -4,29 +4,30 @@ use field::{Base, Over, Scalar};
 use mechanics::mass::{AffineField, MassMoments};
 use nalgebra::{Matrix3, Vector3};
 
-/// The body with the fixed point O.
+/// The carrier: the body with the fixed point O.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Carrier<P: Scalar> {
-    /// m0, kg
+    /// The mass m0, kg.
     pub mass: P,
-    /// c0 = OC0, m
+    /// The position c0 = OC0 of the centre of mass, m.
     pub centre: Vector3<P>,
-    /// A0, inertia tensor about O, kg m^2 (off-diagonal components carry the minus sign: A12 = -integral of x y dm)
+    /// The inertia tensor A0 about O, kg m^2; off-diagonal components include the minus sign: A12 = -integral of x y
+    /// dm.
     pub inertia: Matrix3<P>,
 }
 
-/// The rotor: statically and dynamically balanced about its axis.
+/// The rotor: a body that is statically and dynamically balanced about its axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotor<P: Scalar> {
-    /// m', kg
+    /// The mass m', kg.
     pub mass: P,
-    /// h = OC', m
+    /// The position h = OC' of the centre of mass, m.
     pub centre: Vector3<P>,
-    /// l, unit vector of the axis
+    /// The unit vector l of the axis.
     pub axis: Vector3<P>,
-    /// A', moment of inertia about the axis, kg m^2
+    /// The moment of inertia A' about the axis, kg m^2.
     pub axial: P,
-    /// B', moment of inertia about any axis across through C', kg m^2
+    /// The moment of inertia B', kg m^2, about any axis through C' perpendicular to the rotor's axis.
     pub transverse: P,
 }
 
@@ -35,12 +36,12 @@ pub struct Rotor<P: Scalar> {
 pub struct Gyrostat<P: Scalar> {
     pub carrier: Carrier<P>,
     pub rotor: Rotor<P>,
-    /// g, m/s^2
+    /// The acceleration of gravity g, m/s^2.
     pub gravity: P,
 }
 
 impl<P: Base> Gyrostat<P> {
-    /// T = 1/2 w.A0 w + 1/2 m' |w x h|^2 + 1/2 w'.J' w', w' = w + phi' l (Koenig), J.
+    /// The kinetic energy T = 1/2 w.A0 w + 1/2 m' |w x h|^2 + 1/2 w'.J' w' with w' = w + phi' l (Koenig's theorem), J.
     pub fn kinetic_energy<S: Over<P>>(&self, w: Vector3<S>, rotor_speed: S) -> S {
         let Rotor { mass, centre, axis, axial, transverse } = self.rotor.lift::<S>();
         let centre_velocity = w.cross(&centre);
@@ -55,28 +56,28 @@ impl<P: Base> Gyrostat<P> {
         .half()
     }
 
-    /// -g v.(m0 c0 + m' h), J.
+    /// The potential energy -g v.(m0 c0 + m' h), J.
     pub fn potential_energy<S: Over<P>>(&self, vertical: Vector3<S>) -> S {
         -vertical.dot(&self.first_moment().map(S::lift)) * S::lift(self.gravity)
     }
 
-    /// m0 c0 + m' h, kg m.
+    /// The first moment of mass m0 c0 + m' h, kg m.
     pub fn first_moment(&self) -> Vector3<P> {
         self.carrier.centre * self.carrier.mass + self.rotor.centre * self.rotor.mass
     }
 
-    /// m0 + m', kg.
+    /// The total mass m0 + m', kg.
     pub fn mass(&self) -> P {
         self.carrier.mass + self.rotor.mass
     }
 
-    /// The mass points of the carrier about O.
+    /// The moments of mass of the carrier about O.
     pub fn carrier_points<S: Over<P>>(&self) -> MassMoments<S> {
         let Carrier { mass, centre, inertia } = &self.carrier;
         MassMoments::from_inertia(S::lift(*mass), centre.map(S::lift), inertia.map(S::lift))
     }
 
-    /// The mass points of the rotor about C'. Being balanced, they have equal moments at every angle of the rotor.
+    /// The moments of mass of the rotor about C'. Since the rotor is balanced, they do not depend on its angle.
     pub fn rotor_points<S: Over<P>>(&self) -> MassMoments<S> {
         let Rotor { mass, axis, axial, transverse, .. } = self.rotor.lift::<S>();
         let along = axis * axis.transpose();
@@ -84,15 +85,15 @@ impl<P: Base> Gyrostat<P> {
         MassMoments::from_inertia(mass, Vector3::zeros(), inertia)
     }
 
-    /// The velocities of the carrier's points, w x r, and of the rotor's points, w x (h + r) + phi' l x r.
+    /// The velocity fields: w x r for the carrier, and w x (h + r) + phi' l x r for the rotor.
     pub fn velocities<S: Over<P>>(&self, w: Vector3<S>, rotor_speed: S) -> [AffineField<S>; 2] {
         let rotor = self.rotor.lift::<S>();
         let (own, rotors) = (AffineField::place(Vector3::zeros()), AffineField::place(rotor.centre));
         [own.turned(w), rotors.turned(w) + rotors.relative().turned(rotor.axis * rotor_speed)]
     }
 
-    /// S = 1/2 integral of a.a dm over both bodies, J/s^2: the acceleration energy, from the accelerations of the mass
-    /// points (for the rotor with the terms of Coriolis and of its own rotation).
+    /// The acceleration energy S = 1/2 integral of a.a dm over both bodies, J/s^2, from the accelerations of the mass
+    /// points. Those of the rotor include the Coriolis terms and the terms of its own rotation.
     pub fn acceleration_energy<S: Over<P>>(
         &self,
         w: Vector3<S>,
@@ -115,7 +116,7 @@ impl<P: Base> Gyrostat<P> {
 }
 
 impl<P: Base> Rotor<P> {
-    /// The rotor in a larger field.
+    /// The rotor with its data converted to another scalar type.
     pub fn lift<S: Over<P>>(&self) -> Rotor<S> {
         Rotor {
             mass: S::lift(self.mass),

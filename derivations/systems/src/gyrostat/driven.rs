@@ -10,8 +10,8 @@ use motor::{
 use nalgebra::Vector3;
 use std::marker::PhantomData;
 
-/// A form of the equations with a machine. The state is (w, v, rotor, currents) in the axes of the form; the rotor's
-/// part is (g, g'), (g') or nothing, as [`RotorState`] says.
+/// A form of the equations of motion, combined with a machine. The state is (w, v, rotor, currents) in the axes of the
+/// form; the rotor's part is (g, g'), (g') or empty, depending on [`RotorState`].
 #[derive(Clone, Debug)]
 pub struct Driven<P, F, M> {
     pub form: F,
@@ -21,31 +21,31 @@ pub struct Driven<P, F, M> {
 }
 
 impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
-    /// Joins a form and a machine.
+    /// Combines a form and a machine.
     pub fn new(form: F, machine: M) -> Self {
         let circuits = (0..machine.windings()).map(|k| Circuit::of(&machine, k)).collect();
         Driven { form, machine, circuits, field: PhantomData }
     }
 
-    /// The number of states: 6 + the rotor's + the currents.
+    /// The number of components of the state: 6, the rotor's, and the currents.
     pub fn dimension(&self) -> usize {
         6 + self.machine.rotor().dimension() + self.machine.windings()
     }
 
-    /// Names of the states, in order.
+    /// The names of the components of the state, in order.
     pub fn names(&self) -> Vec<String> {
         let mut names: Vec<String> = ["w1", "w2", "w3", "v1", "v2", "v3"].map(String::from).into();
         names.extend(state_names(&self.machine));
         names
     }
 
-    /// The right-hand side. Allocates nothing.
+    /// The right-hand side of the equations. It allocates no memory.
     #[inline(always)]
     pub fn rates<S: Over<P> + Analytic>(&self, y: &[S], dy: &mut [S]) {
         self.rates_under(S::zero(), y, dy);
     }
 
-    /// The right-hand side with a load torque between carrier and rotor, against the rotor's rotation, N m.
+    /// The right-hand side under a load torque, N m, between carrier and rotor, opposite to the rotor's rotation.
     #[inline(always)]
     pub fn rates_under<S: Over<P> + Analytic>(&self, load: S, y: &[S], dy: &mut [S]) {
         let (w, v) = (Vector3::new(y[0], y[1], y[2]), Vector3::new(y[3], y[4], y[5]));
@@ -71,13 +71,13 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
         }
     }
 
-    /// v.v, which stays 1.
+    /// The square v.v, which is constant and equal to 1.
     pub fn vertical_length<S: Over<P>>(&self, y: &[S]) -> S {
         let v = Vector3::new(y[3], y[4], y[5]);
         v.dot(&v)
     }
 
-    /// x.v, the angular momentum about the vertical, which every machine conserves.
+    /// The angular momentum x.v about the vertical, which is conserved with every machine.
     pub fn vertical_momentum<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
         let v = Vector3::new(y[3], y[4], y[5]);
         self.form.momentum(Vector3::new(y[0], y[1], y[2]), self.rotor_speed(y)).dot(&v)
@@ -92,19 +92,20 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
         self.form.energy(w, v, self.rotor_speed(y)) + stored_energy(&self.machine, angle, &y[rotor_end..])
     }
 
-    /// p = dE/dphi' = A' (w.l + phi'), the rotor's angular momentum about its axis.
+    /// The rotor's angular momentum about its axis, p = dE/dphi' = A' (w.l + phi').
     pub fn rotor_momentum<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
         let (w, v) = (Vector3::new(y[0], y[1], y[2]), Vector3::new(y[3], y[4], y[5]));
         let speed = Tangent::variable(self.rotor_speed(y));
         self.form.energy(w.map(Tangent::fixed), v.map(Tangent::fixed), speed).slope
     }
 
-    /// E - W p, the energy in the frame of the stator's field: without supply and sliding windings its loss is heat.
+    /// The energy E - W p in the frame of the stator's field: without a supply and sliding contacts its loss is the
+    /// heat.
     pub fn jacobi<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
         self.energy(y) - S::lift(self.machine.frame_speed()) * self.rotor_momentum(y)
     }
 
-    /// phi' = g' + W.
+    /// The rotor's relative speed phi' = g' + W.
     pub fn rotor_speed<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
         let known = self.machine.rotor();
         let (_, slip) = known.angle_and_slip(&y[6..6 + known.dimension()]);

@@ -1,13 +1,13 @@
-//! The equations of motion solved for the accelerations, in two sets of axes.
+//! The equations of motion, solved for the accelerations, in two sets of axes.
 //!
-//! With x the angular momentum about O and Ge the vector of the weight:
+//! Let x be the angular momentum about O, and Ge the vector of the weight:
 //!
 //! | form | axes | momentum | equations |
 //! |---|---|---|---|
 //! | first | principal axes of A | x = A w + A' p' l, p' = w.l + phi' | A w' = x x w + Ge x v - M l |
 //! | second | principal axes of A* | x = A* w + A' phi' l | A* w' + A' phi'' l = x x w + Ge x v |
 //!
-//! and for both A' (l.w' + phi'') = M. The second divides by D = 1 - A' l.(A*^-1 l).
+//! In both forms A' (l.w' + phi'') = M. The second form divides by D = 1 - A' l.(A*^-1 l).
 
 use super::Gyrostat;
 use super::momenta::Momenta;
@@ -16,36 +16,36 @@ use super::vectors::{by_component, dot, less, less_dot, lift, plus, two_crosses}
 use field::{Base, Divisor, Over, Scalar};
 use nalgebra::{Matrix3, Vector3};
 
-/// A form of the equations of motion, with data in its own axes, solved for the accelerations.
+/// A form of the equations of motion, solved for the accelerations; its data refer to its own axes.
 pub trait Form<P: Base> {
-    /// (w', phi'') under the torque M on the rotor.
+    /// The accelerations (w', phi'') under the torque M on the rotor.
     fn accelerations<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S, torque: S) -> (Vector3<S>, S);
 
-    /// w' with a constant rotor speed (phi'' = 0), and the torque M that this takes.
+    /// The acceleration w' at constant rotor speed (phi'' = 0), and the torque M that is necessary for it.
     fn prescribed<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> (Vector3<S>, S);
 
-    /// x, the angular momentum about O.
+    /// The angular momentum x about O.
     fn momentum<S: Over<P>>(&self, w: Vector3<S>, rotor_speed: S) -> Vector3<S>;
 
-    /// T - Ge.v, the mechanical energy.
+    /// The mechanical energy T - Ge.v.
     fn energy<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> S;
 
-    /// The energy in the momenta; `kept`: the rotor's speed is prescribed.
+    /// The data of the Hamiltonian, as a function of the momenta; `kept`: the rotor's speed is prescribed.
     fn momenta(&self, kept: bool) -> Momenta<P>;
 }
 
-/// The data of both forms, in their own axes.
+/// The data of a form, in its own axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Data<P: Scalar> {
-    /// principal moments of the form's tensor
+    /// The principal moments of the form's tensor.
     moments: Vector3<P>,
-    /// their reciprocals
+    /// Their reciprocals.
     mobility: Vector3<P>,
-    /// l
+    /// The unit vector l of the rotor's axis.
     axis: Vector3<P>,
-    /// A'
+    /// The rotor's moment of inertia A' about its axis.
     axial: Divisor<P>,
-    /// Gamma e
+    /// The vector Gamma e of the weight.
     weight: Vector3<P>,
 }
 
@@ -55,28 +55,29 @@ impl<P: Base> Data<P> {
         Data { moments, mobility, axis, axial: Divisor::new(axial), weight }
     }
 
-    /// x x w + Ge x v, the rate of the form's momentum in the rotating axes.
+    /// The rate x x w + Ge x v of the form's momentum in the rotating axes.
     #[inline(always)]
     fn gain<S: Over<P>>(&self, momentum: Vector3<S>, w: Vector3<S>, v: Vector3<S>) -> Vector3<S> {
         two_crosses(momentum, w, lift(self.weight), v)
     }
 }
 
-/// The paper's first form: axes of A.
+/// The paper's first form, in the principal axes of A.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FirstForm<P: Scalar> {
     data: Data<P>,
-    /// 1 / (1/A' + l.(A^-1 l)): the coupling of a prescribed speed's reaction to the other torques
+    /// The factor 1 / (1/A' + l.(A^-1 l)), by which the other torques determine the torque that a prescribed speed
+    /// requires.
     reaction: P,
 }
 
-/// The paper's second form: axes of A*.
+/// The paper's second form, in the principal axes of A*.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SecondForm<P: Scalar> {
     data: Data<P>,
-    /// A*^-1 l
+    /// The vector A*^-1 l.
     response: Vector3<P>,
-    /// 1 / D
+    /// The factor 1 / D.
     inverse_d: P,
 }
 

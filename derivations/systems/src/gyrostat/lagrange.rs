@@ -1,22 +1,23 @@
-//! Lagrange's top with a rotor along its axis, in closed form, against which long runs are measured.
+//! Lagrange's top with a rotor along its axis, in closed form: a reference solution for long integrations.
 //!
-//! A gyrostat with the transverse moment of inertia A (about O), whose weight G and free rotor lie along its axis of symmetry l,
-//! conserves the momenta X = x.l and k = x.v and the energy h = A |w|^2/2 - G u with w across l, and u = v.l obeys
+//! Consider a gyrostat with the transverse moment of inertia A (about O), whose weight G and free rotor lie along its
+//! axis of symmetry l. It conserves the momenta X = x.l and k = x.v, and the energy h = A |w|^2/2 - G u with the
+//! component of w perpendicular to l. Then u = v.l satisfies
 //!
 //!   A^2 u'^2 = 2 A (1 - u^2) (h + G u) - (k - X u)^2 = 2 A G (u - u1) (u - u2) (u3 - u) ,   u1 < -1 <= u2 <= u <= u3 <= 1 :
 //!
 //!   u = u3 - (u3 - u2) sn^2(n t + a | m) ,   n^2 = G (u3 - u1)/(2 A) ,   m = (u3 - u2)/(u3 - u1) ,
 //!
-//! with the period 2 K(m)/n (Whittaker, Analytical Dynamics, art. 71; the vertical points downwards here).
+//! with the period 2 K(m)/n (Whittaker, Analytical Dynamics, art. 71; here the vertical points downwards).
 
 use nalgebra::Vector3;
 
-/// A nutation from a turning point (u' = 0 at time zero).
+/// A nutation that starts at an extremum of u, so that u' = 0 at time zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nutation {
-    /// period of u, s
+    /// The period of u, s.
     pub period: f64,
-    /// u and u' a quarter of a period, or any number of periods more, after the start
+    /// The values of u and u' a quarter of a period after the start.
     pub quarter: (f64, f64),
 }
 
@@ -30,13 +31,13 @@ pub struct Top {
 }
 
 impl Top {
-    /// The nutation from w and v, with l, w and v in one plane; `None` where u is constant or G is not positive.
+    /// The nutation from w and v, where l, w and v lie in one plane; `None` if u is constant or G is not positive.
     pub fn nutation(&self, w: Vector3<f64>, v: Vector3<f64>) -> Option<Nutation> {
         let Top { transverse: a, weight: g, axis, spin } = *self;
         let (u, along) = (v.dot(&axis), w.dot(&axis));
         let across = w - axis * along;
         let (k, h) = (a * across.dot(&v) + spin * u, 0.5 * a * across.dot(&across) - g * u);
-        // the cubic over -2 A G, divided by (u - start): u^2 + b u + c
+        // the cubic divided by -2 A G (u - start): u^2 + b u + c
         let scale = 2.0 * a * g;
         let b = (2.0 * a * h + spin * spin) / scale + u;
         let c = u * b - 1.0 - 2.0 * k * spin / scale;
@@ -54,7 +55,7 @@ impl Top {
     }
 }
 
-/// The arithmetic-geometric mean: K(m) = pi / (2 mean(1, sqrt(1 - m))).
+/// The arithmetic-geometric mean; K(m) = pi / (2 mean(1, sqrt(1 - m))).
 fn mean(mut a: f64, mut b: f64) -> f64 {
     while (a - b).abs() > 4.0 * f64::EPSILON * a {
         (a, b) = (0.5 * (a + b), (a * b).sqrt());

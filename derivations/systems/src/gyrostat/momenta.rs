@@ -1,14 +1,15 @@
-//! The gyrostat in its momenta: Hamilton's equations on se(3)* with a rotor, split into explicit sub-flows.
+//! Hamilton's equations of the gyrostat, on se(3)* extended by a rotor, split into explicit sub-flows.
 //!
-//! With x the angular momentum about O, v the vertical, p = A' (w.l + phi') the rotor's spin and U(g) the energy of its
-//! magnets in the field that turns with W,
+//! Let x be the angular momentum about O, v the vertical, p = A' (w.l + phi') the rotor's angular momentum about its
+//! axis, and U(g) the energy of its magnets in the field that rotates at W. Then
 //!
 //!   H = 1/2 (x - p l).A^-1 (x - p l) + p^2/(2 A') - W p - Ge.v + U(g) ,
 //!
 //!   x' = x x dH/dx + v x dH/dv ,   v' = v x dH/dx ,   g' = dH/dp ,   p' = -dH/dg + friction .
 //!
-//! For any H, v.v and x.v are conserved (Casimir functions), and a torque between rotor and carrier changes neither. The sum
-//! is split into squares (in an inertia tensor's principal axes: Reich 1994, McLachlan 1993):
+//! For every H, v.v and x.v are conserved (Casimir functions), and a torque between rotor and carrier changes neither
+//! of them. The sum H is split into squares (in the principal axes of an inertia tensor: Reich 1994, McLachlan 1993)
+//! and further terms:
 //!
 //! | term | flow |
 //! |---|---|
@@ -17,8 +18,8 @@
 //! | p^2/(2 A') - W p | g grows linearly; the term commutes with all others and is combined with one of them |
 //! | -Ge.v + U(g) with windings and friction | v and g are constant; x, p and the currents change, see [`motor::Kick`] |
 //!
-//! Here q = p for a free rotor, and q = A' phi' for one with prescribed speed: then p is no variable, and x is the
-//! total angular momentum less a constant along l.
+//! Here q = p for a free rotor, and q = A' phi' for a rotor with prescribed speed. In the second case p is not a
+//! variable, and x is the total angular momentum minus a constant vector along l.
 
 use super::driven::Driven;
 use super::forms::Form;
@@ -35,41 +36,41 @@ use simulation::Running;
 /// The data of H, in the axes of a form.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Momenta<P: Scalar> {
-    /// m_k
+    /// The coefficients m_k.
     pub mobility: Vector3<P>,
-    /// n, of any length
+    /// The vector n, of arbitrary length.
     pub oblique: Vector3<P>,
-    /// s, zero where three squares are enough
+    /// The coefficient s; zero if three squares suffice.
     pub share: P,
-    /// l
+    /// The unit vector l of the rotor's axis.
     pub axis: Vector3<P>,
-    /// A'
+    /// The rotor's moment of inertia A' about its axis.
     pub axial: P,
-    /// Ge
+    /// The vector Ge of the weight.
     pub weight: Vector3<P>,
 }
 
 /// The state of the sub-flows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point<S: Scalar> {
-    /// x
+    /// The angular momentum x.
     pub momentum: Vector3<S>,
-    /// v
+    /// The unit vector v of the vertical.
     pub vertical: Vector3<S>,
-    /// g, q and the fluxes
+    /// The angle g, the momentum q and the fluxes.
     pub rotor: RotorPoint<S>,
 }
 
-/// H over a field, with derived data, for its sub-flows.
+/// The Hamiltonian H with derived data for its sub-flows.
 #[derive(Clone, Copy, Debug)]
 pub struct Flows<S: Scalar> {
     momenta: Momenta<S>,
-    /// n / |n|, and s n.n
+    /// The unit vector n / |n|; `oblique_mobility` is s n.n.
     unit: Vector3<S>,
     oblique_mobility: S,
-    /// 1/A', and zero for a rotor with prescribed speed
+    /// The factor 1/A'; zero for a rotor with prescribed speed.
     rotor_mobility: S,
-    /// W
+    /// The angular velocity W of the field.
     frame_speed: S,
 }
 
@@ -104,24 +105,24 @@ impl<S: Analytic> Flows<S> {
         if self.momenta.share.is_zero() { 3 } else { 4 }
     }
 
-    /// d(g')/dp at fixed x: the response of the slip to an impulse on the rotor.
+    /// The derivative d(g')/dp at fixed x: the response of the slip to an impulsive torque on the rotor.
     pub fn compliance(&self) -> S {
         let l = self.momenta.axis;
         self.rotor_mobility + l.dot(&self.angular_velocity(l))
     }
 
-    /// dH/dx, linear in y.
+    /// The derivative dH/dx, which is linear in y.
     fn angular_velocity(&self, y: Vector3<S>) -> Vector3<S> {
         y.component_mul(&self.momenta.mobility) + self.unit * (self.oblique_mobility * self.unit.dot(&y))
     }
 
-    /// (w, g'); the slip of a rotor with prescribed speed has no meaning.
+    /// The velocities (w, g'); for a rotor with prescribed speed the second one has no meaning.
     pub fn velocities(&self, at: &Point<S>) -> (Vector3<S>, S) {
         let w = self.angular_velocity(at.momentum - self.momenta.axis * at.rotor.momentum);
         (w, at.rotor.momentum * self.rotor_mobility - self.frame_speed - w.dot(&self.momenta.axis))
     }
 
-    /// The flow of p^2/(2 A') - W p, which is combined with the first square.
+    /// The flow of p^2/(2 A') - W p, which is combined with the flow of the first square.
     fn drift(&self, length: S, at: &mut Point<S>) {
         at.rotor.angle += length * (at.rotor.momentum * self.rotor_mobility - self.frame_speed);
     }
@@ -150,8 +151,8 @@ impl<S: Analytic> Flows<S> {
         at.rotor.angle -= self.momenta.axis.dot(&self.unit) * angle;
     }
 
-    /// The flow at constant v and g: the weight changes x, the machine the rest. Returns the residual of the equation that
-    /// is solved by iteration.
+    /// The flow at constant v and g: the weight changes x, the machine changes the rest. Returns the residual of the
+    /// equation that is solved by iteration.
     #[inline]
     pub fn push<P: Base, A: FixedAngleMachine<P, S>>(&self, machine: &A, by: &Kick<S>, at: &mut Point<S>) -> S
     where
@@ -168,7 +169,8 @@ impl<S: Analytic> Flows<S> {
         left
     }
 
-    /// The flow of a piece, in the order push, squares. Returns the residual, as the push does.
+    /// The flow of a part of H, where part 0 is the flow at constant v and g and the squares follow. Returns the
+    /// residual of the iteration, as [`push`](Self::push) does.
     #[inline]
     pub fn flow<P: Base, A: FixedAngleMachine<P, S>>(
         &self,
@@ -190,7 +192,7 @@ impl<S: Analytic> Flows<S> {
         S::zero()
     }
 
-    /// The point from a state (w, v, rotor, currents) of the law.
+    /// The point for a state (w, v, rotor, currents) of the law.
     pub fn enter<P: Base>(&self, form: &impl Form<P>, machine: &impl Machine<P>, y: &[S]) -> Point<S>
     where
         S: Over<P>,
@@ -208,7 +210,7 @@ impl<S: Analytic> Flows<S> {
         }
     }
 
-    /// The state of the law from a point.
+    /// The state of the law for a point.
     #[inline]
     pub fn leave<P: Base, A: FixedAngleMachine<P, S>>(&self, machine: &A, at: &Point<S>, y: &mut [S])
     where
@@ -223,7 +225,7 @@ impl<S: Analytic> Flows<S> {
     }
 }
 
-/// The sub-flows of a gyrostat with a machine: the push, then the squares.
+/// The sub-flows of a gyrostat with a machine: the flow at constant v and g, then the squares.
 #[derive(Clone, Debug)]
 pub struct GyrostatPieces<'a, S: Scalar, F, M> {
     form: &'a F,
@@ -273,7 +275,7 @@ impl<S: Real + Running, F: Form<f64>, M: Machine<f64>> Pieces<S> for GyrostatPie
     }
 }
 
-/// Data of a piece that depend on the time step.
+/// The data of a sub-flow that depend on the time step.
 #[derive(Clone, Debug)]
 pub enum Substep<S> {
     Push(Kick<S>),
@@ -281,7 +283,7 @@ pub enum Substep<S> {
 }
 
 impl<F: Form<f64>, M: Machine<f64>> Driven<f64, F, M> {
-    /// The sub-flows over a field, by programs if given; `None` where the flow of the [`Kick`] is not known.
+    /// The sub-flows, with compiled programs if these are given; `None` if the flow of the [`Kick`] is not known.
     pub fn in_momenta<'a, S: Real>(&'a self, programs: Option<&'a Programs>) -> Option<GyrostatPieces<'a, S, F, M>> {
         let Driven { form, machine, .. } = self;
         let flows = Flows::new(form, machine);

@@ -1,7 +1,7 @@
-//! The equations of motion of the gyrostat by four principles that share only the bodies' data.
+//! The equations of motion of the gyrostat by four principles; only the data of the bodies are common to them.
 //!
-//! Each principle gives four residuals that vanish along the motion: three of the carrier (torques about the body axes,
-//! N m) and one of the rotor (torque about l, N m).
+//! Each principle gives four residuals that are zero along a motion: three for the carrier (torques about the body
+//! axes, N m) and one for the rotor (torque about l, N m).
 
 use super::Gyrostat;
 use field::{Analytic, Base, Over, Tangent};
@@ -12,25 +12,25 @@ use mechanics::rotation::{angular_velocity, euler, euler_forms, inverse, vertica
 use mechanics::{appell::appell, hamel::boltzmann_hamel, lagrange::lagrange};
 use nalgebra::{Matrix4, Vector3};
 
-/// An instant of a motion: velocities, accelerations, the vertical, and the torque on the rotor.
+/// One instant of a motion: velocities, accelerations, the vertical, and the torque on the rotor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionInstant<S: field::Scalar> {
-    /// w, rad/s
+    /// The angular velocity w, rad/s.
     pub angular_velocity: Vector3<S>,
-    /// v, the unit vector downwards
+    /// The unit vector v of the vertical, downwards.
     pub vertical: Vector3<S>,
-    /// phi', rad/s
+    /// The rotor's relative speed phi', rad/s.
     pub rotor_speed: S,
-    /// w', rad/s^2
+    /// The angular acceleration w', rad/s^2.
     pub angular_acceleration: Vector3<S>,
-    /// phi'', rad/s^2
+    /// The rotor's relative acceleration phi'', rad/s^2.
     pub rotor_acceleration: S,
-    /// M, N m
+    /// The torque M, N m.
     pub torque: S,
 }
 
 impl<P: Base> Gyrostat<P> {
-    /// x, the angular momentum of all mass points about O, and that of the rotor's points about C', kg m^2/s.
+    /// The angular momentum x of all mass points about O, and that of the rotor's points about C', kg m^2/s.
     pub fn angular_momentum<S: Over<P>>(&self, w: Vector3<S>, rotor_speed: S) -> [Vector3<S>; 2] {
         let [carrier, rotor] = self.velocities::<S>(w, rotor_speed);
         let own = AffineField::place(Vector3::zeros());
@@ -40,7 +40,8 @@ impl<P: Base> Gyrostat<P> {
         [of_carrier + of_rotor, self.rotor_points::<S>().cross(&own, &rotor)]
     }
 
-    /// The theorem of angular momentum: for all mass points about O, and for the rotor's points about C' in the direction l.
+    /// The residuals by the theorem of angular momentum: for all mass points about O, and for the rotor's points about
+    /// C' in the direction l.
     pub fn by_momentum<S: Over<P>>(&self, motion: &MotionInstant<S>) -> [S; 4] {
         let w = motion.angular_velocity;
         let moving = Vector3::from(along(w.into(), motion.angular_acceleration.into()));
@@ -52,7 +53,7 @@ impl<P: Base> Gyrostat<P> {
         [total.x, total.y, total.z, axial]
     }
 
-    /// Appell's equations from the acceleration energy of the mass points.
+    /// The residuals by Appell's equations, from the acceleration energy of the mass points.
     pub fn by_appell<S: Over<P>>(&self, motion: &MotionInstant<S>) -> [S; 4] {
         let w = motion.angular_velocity.map(Tangent::fixed);
         let rotor_speed = Tangent::fixed(motion.rotor_speed);
@@ -61,7 +62,7 @@ impl<P: Base> Gyrostat<P> {
             |[x, y, z, f]| self.acceleration_energy(w, rotor_speed, Vector3::new(x, y, z), f),
             [a.x, a.y, a.z, motion.rotor_acceleration],
         );
-        // the power of the weight is linear in w: its coefficients are the generalised forces
+        // the power of the weight is linear in w; its coefficients are the generalised forces
         let power = gradient(
             |[x, y, z]| {
                 let w = Vector3::new(x, y, z);
@@ -73,8 +74,8 @@ impl<P: Base> Gyrostat<P> {
         [left[0] - power[0], left[1] - power[1], left[2] - power[2], left[3] - motion.torque]
     }
 
-    /// Lagrange's equations in Euler's angles and the rotor's angle, from L = T - V; residuals for each coordinate.
-    /// `torque` is the generalised force of the rotor's angle, the torque M.
+    /// The residuals by Lagrange's equations in Euler's angles and the rotor's angle, with L = T - V, one for each
+    /// coordinate. `torque` is the torque M, which is the generalised force of the rotor's angle.
     pub fn by_lagrange<S: Over<P> + Analytic>(
         &self,
         angles: [S; 4],
@@ -97,7 +98,8 @@ impl<P: Base> Gyrostat<P> {
         residual
     }
 
-    /// The equations of Boltzmann and Hamel in the quasi-velocities (w, phi'), kinematics from Euler's angles.
+    /// The residuals by the equations of Boltzmann and Hamel in the quasi-velocities (w, phi'), with kinematics in
+    /// Euler's angles.
     pub fn by_hamel<S: Over<P> + Analytic>(&self, angles: [S; 4], motion: &MotionInstant<S>) -> [S; 4] {
         let fields = |[a, b, c, _]: [Tangent<S>; 4]| bordered(inverse(&euler_forms([a, b, c])));
         let forms = bordered(euler_forms([angles[0], angles[1], angles[2]]));
@@ -110,7 +112,7 @@ impl<P: Base> Gyrostat<P> {
             [w.x, w.y, w.z, motion.rotor_speed],
             [a.x, a.y, a.z, motion.rotor_acceleration],
         );
-        // X_j(V): the potential energy along the fields
+        // X_j(V): the derivative of the potential energy along the vector field X_j
         let slope =
             gradient(|[a, b, c]| self.potential_energy(vertical(&euler([a, b, c]))), [angles[0], angles[1], angles[2]]);
         let velocities = inverse(&euler_forms([angles[0], angles[1], angles[2]]));
@@ -123,7 +125,7 @@ impl<P: Base> Gyrostat<P> {
     }
 }
 
-/// A matrix of the carrier, extended by the rotor's own angle.
+/// A matrix of the carrier, extended by a unit row and column for the rotor's angle.
 fn bordered<S: field::Scalar>(m: nalgebra::Matrix3<S>) -> Matrix4<S> {
     let mut bordered = Matrix4::identity();
     bordered.fixed_view_mut::<3, 3>(0, 0).copy_from(&m);

@@ -5,20 +5,21 @@ use field::Base;
 use nalgebra::{Matrix3, Vector3};
 
 impl<P: Base> Gyrostat<P> {
-    /// A*, the inertia tensor about O of all masses, rotor included, kg m^2: from the mass points.
+    /// The inertia tensor A*, kg m^2, of all masses about O, including the rotor; computed from the mass points.
     pub fn full_tensor(&self) -> Matrix3<P> {
         let points = self.rotor_points::<P>();
         let (m, h) = (self.rotor.mass, self.rotor.centre);
         self.carrier.inertia + points.inertia() + (Matrix3::identity() * h.dot(&h) - h * h.transpose()) * m
     }
 
-    /// A = A* - A' l l^T, the tensor without the rotor's axial moment of inertia, kg m^2: from the mass points of a rotor without
-    /// it. The difference of two tensors would lose the digits of 1/D.
+    /// The tensor A = A* - A' l l^T, kg m^2, without the rotor's moment of inertia about its axis; computed from the
+    /// mass points of a rotor without it, since in the difference of the two tensors the digits that determine 1/D
+    /// would cancel.
     pub fn reduced_tensor(&self) -> Matrix3<P> {
         Gyrostat { rotor: Rotor { axial: P::zero(), ..self.rotor }, ..*self }.full_tensor()
     }
 
-    /// Gamma e = g (m0 c0 + m' h), N m: the torque of the weight about O is (Gamma e) x v.
+    /// The vector Gamma e = g (m0 c0 + m' h), N m; the torque of the weight about O is (Gamma e) x v.
     pub fn weight(&self) -> Vector3<P> {
         self.first_moment() * self.gravity
     }
@@ -38,7 +39,7 @@ impl<P: Base> Gyrostat<P> {
     }
 }
 
-/// Principal moments in ascending order and axes (columns, right-handed) of a symmetric tensor.
+/// The principal moments of a symmetric tensor, in ascending order, and its principal axes (columns, right-handed).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Principal {
     pub moments: Vector3<f64>,
@@ -46,8 +47,8 @@ pub struct Principal {
 }
 
 impl Principal {
-    /// Principal axes from the eigenvectors. The third axis completes a right-handed frame, and the largest component of
-    /// each of the first two is positive, which makes the frame unique.
+    /// The principal axes, from the eigenvectors. The third axis completes a right-handed frame. The largest component
+    /// of each of the first two axes is positive, so that the frame is unique.
     pub fn of(tensor: &Matrix3<f64>) -> Self {
         let eigen = tensor.symmetric_eigen();
         let mut order = [0, 1, 2];
@@ -67,24 +68,24 @@ impl Principal {
 /// Derived data: both tensors with their principal axes, and the weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Derived {
-    /// principal axes of A
+    /// The principal axes of A.
     pub reduced: Principal,
-    /// principal axes of A*
+    /// The principal axes of A*.
     pub full: Principal,
-    /// the columns are the axes of A* in the axes of A
+    /// The rotation matrix whose columns are the axes of A* in the axes of A.
     pub rotation: Matrix3<f64>,
-    /// c = OC, m, in the axes of the data
+    /// The position c = OC of the common centre of mass, m, in the axes of the data.
     pub centre: Vector3<f64>,
-    /// Gamma = m g |c|, N m
+    /// Gamma = m g |c|, N m.
     pub gamma: f64,
-    /// e = c / |c|; zero where c is zero and e has no meaning
+    /// The direction e = c / |c|; zero if c is zero, since e is then undefined.
     pub direction: Vector3<f64>,
-    /// D = det A / det A*
+    /// The quotient D = det A / det A*.
     pub singularity: f64,
 }
 
 impl Gyrostat<f64> {
-    /// Tensors, axes, weight.
+    /// Both tensors with their principal axes, and the weight.
     pub fn derived(&self) -> Derived {
         let (reduced, full) = (Principal::of(&self.reduced_tensor()), Principal::of(&self.full_tensor()));
         let centre = self.first_moment() / self.mass();

@@ -1,8 +1,8 @@
-//! The letters of the page with their LaTeX and dimensions.
+//! The symbols of the page with their LaTeX and dimensions.
 
 use claims::alphabet::{Letter, read_by};
 
-/// (name, LaTeX, exponents of kg, m, s)
+/// Each entry is (name, LaTeX, exponents of kg, m, s).
 const LETTERS: &[Letter<3>] = &[
     ("z", "z", [0, 0, 0]),
     ("y", "y", [0, 0, 0]),

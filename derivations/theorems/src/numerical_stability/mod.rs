@@ -1,4 +1,4 @@
-//! Theorems on one-step maps on y' = z y: growing, constant and decaying modes.
+//! Theorems on one-step maps for y' = z y: growing, constant and decaying modes.
 
 mod alphabet;
 
@@ -13,7 +13,7 @@ use symbolic::{Hypotheses, Sym};
 
 use Condition::{Equal, Positive};
 
-/// The page in the ledger.
+/// The entry of the page in the ledger.
 pub const PAPER: Paper = Paper {
     key: "numerical_stability",
     title: "Numerical stability: the map of a step beside the motion",
@@ -122,7 +122,7 @@ fn functions(page: &mut Page) {
     .follows([Equal(one(gauss(1)), one(MIDPOINT)), Equal(one(radau(1)), one(BACKWARD_EULER))]);
 }
 
-/// The imaginary axis: |R(i y)|^2 = R(i y) R(-i y).
+/// The modulus on the imaginary axis: |R(i y)|^2 = R(i y) R(-i y).
 fn axis(page: &mut Page) {
     let [z, y, m] = letters(["z", "y", "m"]);
     let rules = Hypotheses::none().rule(z, 2, -y.powi(2));
@@ -164,7 +164,7 @@ fn axis(page: &mut Page) {
         .follows([MIDPOINT, gauss(2), gauss(3)].map(|method| Equal(size(method), n(1))));
 }
 
-/// |R(a + i b)|^2, by the powers of a + i b.
+/// The square |R(a + i b)|^2, by the powers of a + i b.
 fn size(method: OneStep, [a, b]: [Sym; 2]) -> Sym {
     let square = |coefficients: &[Rational]| {
         let (mut power, mut sum) = ([n(1), n(0)], [n(0), n(0)]);
@@ -238,7 +238,7 @@ fn plane(page: &mut Page) {
     real(page);
 }
 
-/// The step size from which Radau IIA with three stages hides the growth of a real mode.
+/// The step size beyond which Radau IIA with three stages damps a growing real mode.
 fn real(page: &mut Page) {
     let [z, a] = letters(["z", "a"]);
     let cubic = |z: Sym| z.powi(3) - n(12) * z.powi(2) + n(12) * z - n(120);
@@ -266,7 +266,7 @@ fn real(page: &mut Page) {
     ]);
 }
 
-/// The splittings on q'' = -k q.
+/// The splitting methods for q'' = -k q.
 fn kick_and_drift(page: &mut Page) {
     let [kappa, t] = letters(["κ", "T"]);
     let [[p, q], [r, s]] = step(Splitting::Strang, kappa);

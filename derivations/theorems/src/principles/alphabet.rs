@@ -1,8 +1,8 @@
-//! The letters of this page with their LaTeX and dimensions.
+//! The symbols of this page with their LaTeX and dimensions.
 
 use claims::alphabet::{Letter, read_by};
 
-/// (name, LaTeX, exponents of kg, m, s). A `#` at the end of a name stands for a digit, two for a pair of them.
+/// Each entry is (name, LaTeX, exponents of kg, m, s). `#` at the end of a name stands for one digit, `##` for two.
 const LETTERS: &[Letter<3>] = &[
     ("t", "t", [0, 0, 1]),
     // data of the systems
@@ -44,14 +44,14 @@ const LETTERS: &[Letter<3>] = &[
     ("θ̈", r"\ddot\theta", [0, 0, -2]),
     ("ψ̈", r"\ddot\psi", [0, 0, -2]),
     ("φ̈", r"\ddot\varphi", [0, 0, -2]),
-    // friction as the extended method writes it: multiples of m dx'/dp
+    // friction in the notation of the extended method: multiples of m dx'/dp
     ("μx", r"\mu_x", [0, 1, -2]),
     ("μθ", r"\mu_\theta", [0, 0, -2]),
     ("μψ", r"\mu_\psi", [0, 0, -2]),
     ("μφ", r"\mu_\varphi", [0, 0, -2]),
     ("μχ", r"\mu_\chi", [0, 0, -1]),
     ("F", "F", [1, 1, -2]),
-    // a system of any kind: rows of J without dimension, forces, accelerations
+    // an arbitrary system: dimensionless rows of J, forces, accelerations
     ("J##", "J_{##}", [0, 0, 0]),
     ("R#", "R_#", [1, 1, -2]),
     ("lost#", r"\mathrm{lost}_#", [1, 1, -2]),
@@ -63,7 +63,7 @@ const LETTERS: &[Letter<3>] = &[
     ("δ#", r"\delta_#", [0, 1, -2]),
     ("β#", r"\beta_#", [0, 1, -2]),
     ("κ#", r"\kappa_#", [0, 0, -2]),
-    // places off the constraints, laws of violations: Y1# of a length, Y2# of its square, Y0# of a number
+    // positions off the constraints; laws for the violations: Y1# of a length, Y2# of its square, Y0# of a number
     ("x#", "x_#", [0, 1, 0]),
     ("ẋ#", r"\dot x_#", [0, 1, -1]),
     ("ẍ#", r"\ddot x_#", [0, 1, -2]),

@@ -1,4 +1,4 @@
-//! A system of any kind at an instant: N masses, C constraints J x'' + beta = 0, all of them symbols.
+//! An arbitrary system at one instant: N masses and C constraints J x'' + beta = 0, all of them symbols.
 
 use super::alphabet::letter;
 use field::Over;
@@ -6,7 +6,7 @@ use mechanics::constrained::multipliers::{Reaction, multipliers};
 use mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 use symbolic::Sym;
 
-/// Masses, constraint rows J, and the terms beta without accelerations.
+/// The masses, the rows of J, and the terms beta, which contain no accelerations.
 #[derive(Clone, Copy, Debug)]
 pub struct AnySystem<const N: usize, const C: usize> {
     pub masses: [Sym; N],
@@ -15,7 +15,7 @@ pub struct AnySystem<const N: usize, const C: usize> {
 }
 
 impl<const N: usize, const C: usize> AnySystem<N, C> {
-    /// A system with a distinct letter for every datum.
+    /// The system with a distinct symbol for every datum.
     pub fn new() -> Self {
         AnySystem {
             masses: numbered("m"),
@@ -24,7 +24,7 @@ impl<const N: usize, const C: usize> AnySystem<N, C> {
         }
     }
 
-    /// Lagrange's equations of the first kind under a force; undefined where they cannot be solved.
+    /// Lagrange's equations of the first kind under a force; the result is undefined if they cannot be solved.
     pub fn under(&self, force: [Sym; N]) -> Reaction<Sym, N, C> {
         let rest = [Sym::ZERO; N];
         let at = State { time: letter("t"), place: rest, velocity: rest };
@@ -32,22 +32,22 @@ impl<const N: usize, const C: usize> AnySystem<N, C> {
         multipliers(self, &at, force).unwrap_or(undefined)
     }
 
-    /// J v
+    /// The product J v.
     pub fn along_rows(&self, v: [Sym; N]) -> [Sym; C] {
         self.rows.map(|row| dot(row, v))
     }
 
-    /// M^-1 v
+    /// The product M^-1 v.
     pub fn per_mass(&self, v: [Sym; N]) -> [Sym; N] {
         std::array::from_fn(|i| v[i] / self.masses[i])
     }
 
-    /// J^T lambda
+    /// The reaction J^T lambda.
     pub fn reaction(&self, multipliers: [Sym; C]) -> [Sym; N] {
         std::array::from_fn(|i| (0..C).fold(Sym::ZERO, |sum, k| sum + multipliers[k] * self.rows[k][i]))
     }
 
-    /// J M^-1 J^T
+    /// The matrix J M^-1 J^T.
     pub fn matrix(&self) -> [[Sym; C]; C] {
         self.rows.map(|a| self.rows.map(|b| dot(a, self.per_mass(b))))
     }
@@ -74,12 +74,12 @@ impl<const N: usize, const C: usize> Constrained<N, C> for AnySystem<N, C> {
     }
 }
 
-/// x1, x2, ...
+/// The symbols x1, x2, ... with the given stem in place of x.
 pub fn numbered<const N: usize>(stem: &str) -> [Sym; N] {
     std::array::from_fn(|i| letter(&format!("{stem}{}", i + 1)))
 }
 
-/// a.b
+/// The scalar product a.b.
 pub fn dot<const N: usize>(a: [Sym; N], b: [Sym; N]) -> Sym {
     (0..N).fold(Sym::ZERO, |sum, i| sum + a[i] * b[i])
 }

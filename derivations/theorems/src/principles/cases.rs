@@ -1,4 +1,4 @@
-//! The systems on which the principles are compared.
+//! The systems for which the principles are compared.
 
 use super::alphabet::{letter, letters};
 use super::equal::Case;
@@ -69,7 +69,7 @@ pub fn disc() -> Case<Disc<Sym>, 9, 6, 5, 3> {
     }
 }
 
-/// The disc with axes in space and in the disc chosen so that psi = phi = 0 at this instant, without loss of generality,
+/// The disc with axes in space and in the disc such that psi = phi = 0 at this instant. There is no loss of generality,
 /// since plane and disc are isotropic.
 pub fn disc_in_axes() -> Case<Disc<Sym>, 9, 6, 5, 3> {
     let case = disc();
@@ -92,7 +92,7 @@ pub fn knife_edge() -> Case<KnifeEdge<Sym>, 4, 2, 3, 2> {
     }
 }
 
-/// The friction governor with a drum: its wheel moves along the axle freely.
+/// The friction governor with a drum; its wheel moves freely along the axle.
 pub fn governor() -> Case<Governor<Sym>, 7, 5, 4, 2> {
     let [first, second, wheel, mass, drum, radius] = letters(["I1", "I2", "I3", "m", "l", "a"]);
     let [m1, m2, push] = letters(["M1", "M2", "X"]);
@@ -115,7 +115,7 @@ pub fn governor() -> Case<Governor<Sym>, 7, 5, 4, 2> {
     }
 }
 
-/// The friction governor between two discs: both levers change with the place of the wheel.
+/// The friction governor between two discs; both lever arms depend on the position of the wheel.
 pub fn governor_between_discs() -> Case<Governor<Sym>, 7, 5, 4, 2> {
     let case = governor();
     let gearing = Gearing::Discs { distance: letter("l") };
@@ -141,7 +141,7 @@ pub fn swing() -> Case<MovingPivotPendulum<Sym>, 2, 1, 1, 1> {
     }
 }
 
-/// The point of prescribed speed.
+/// The point with prescribed speed.
 pub fn prescribed_speed_point() -> Case<PrescribedSpeedPoint<Sym>, 2, 1, 2, 1> {
     let [mass, gravity, speed, acceleration] = letters(["m", "g", "u", "b"]);
     Case {

@@ -1,7 +1,7 @@
 //! The method of combining constraints, as theorems on (M, J, R): existence, uniqueness, independence of friction.
 //!
-//! Sizes (N, C) are (2, 1), (3, 1), (3, 2), (4, 2) with every entry of M, J, R a symbol. J contains rows of geometric
-//! and of kinematic constraints: nonholonomic systems are included.
+//! The dimensions (N, C) are (2, 1), (3, 1), (3, 2), (4, 2); every entry of M, J, R is a symbol. The rows of J may
+//! belong to geometric or kinematic constraints, hence nonholonomic systems are included.
 
 use super::alphabet::{letter, letters};
 use super::any::{AnySystem, numbered};
@@ -16,7 +16,7 @@ use symbolic::{Hypotheses, Sym};
 
 use Condition::{Equal, NonZero, Zero};
 
-/// The conditions of each size (N, C), collected for the claims over all sizes.
+/// The conditions for each dimension (N, C), collected for the claims that concern all dimensions.
 #[derive(Default)]
 struct Sizes {
     exists: Vec<Condition>,
@@ -102,12 +102,12 @@ impl Sizes {
     }
 }
 
-/// det of a matrix that is square.
+/// The determinant of a square matrix.
 fn determinant<const C: usize>(matrix: &[[Sym; C]; C]) -> Sym {
     linear::determinant(matrix).unwrap_or(Sym::UNDEFINED)
 }
 
-/// The sum over C of the N columns of (minor of J)^2 / (product of their masses).
+/// The sum over all sets of C of the N columns of (minor of J)^2 / (product of the masses of these columns).
 fn minors<const N: usize, const C: usize>(any: &AnySystem<N, C>) -> Sym {
     let sets = (0usize..1 << N).filter(|set| set.count_ones() as usize == C);
     sets.fold(Sym::ZERO, |sum, set| {
@@ -118,7 +118,8 @@ fn minors<const N: usize, const C: usize>(any: &AnySystem<N, C>) -> Sym {
     })
 }
 
-/// J^T lambda + R^tau = 0 and J M^-1 R^tau = 0 leave lambda = 0, R^tau = 0: det lambda_k and det R^tau_i are combinations.
+/// J^T lambda + R^tau = 0 and J M^-1 R^tau = 0 imply lambda = 0, R^tau = 0: det lambda_k and det R^tau_i are linear
+/// combinations of their left-hand sides.
 fn unique<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
     let any = AnySystem::<N, C>::new();
     let (lambda, friction): ([Sym; C], [Sym; N]) = (numbered("λ"), numbered("R"));
@@ -132,7 +133,8 @@ fn unique<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
     let reaction = any.reaction(lambda);
     let sums = (0..N).map(|i| Zero(reaction[i] + friction[i]));
     let orthogonal = any.along_rows(any.per_mass(friction)).map(Zero);
-    // det lambda_k = sum_c adj_kc (sum_i J_ci sums_i / m_i - orthogonal_c); given: 0 is det, then sums, then orthogonal
+    // det lambda_k = sum_c adj_kc (sum_i J_ci sums_i / m_i - orthogonal_c); the given expressions: 0 is det, then sums,
+    // then orthogonal
     let of_multiplier = |k: usize| -> Vec<(usize, Sym)> {
         let by_sum = (0..N).map(|i| {
             let cofactor = (0..C).fold(Sym::ZERO, |sum, c| sum + adjugate[c][k] * any.rows[c][i] / any.masses[i]);
@@ -155,7 +157,7 @@ fn unique<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
         .by_combination(lambdas.chain(frictions));
 }
 
-/// Without full rank sum (R^tau_i)^2/m_i is a combination too: R^tau and R^n are unique even then.
+/// Even without full rank of J, sum (R^tau_i)^2/m_i is such a combination: R^tau and R^n are still unique.
 fn unique_parts<const N: usize, const C: usize>(page: &mut Page) {
     let any = AnySystem::<N, C>::new();
     let (lambda, friction): ([Sym; C], [Sym; N]) = (numbered("λ"), numbered("R"));
@@ -171,7 +173,7 @@ fn unique_parts<const N: usize, const C: usize>(page: &mut Page) {
         .by_combination([(Zero(length), vec![], cofactors)]);
 }
 
-/// J R^tau = 0 instead of J M^-1 R^tau = 0.
+/// Painleve's own condition J R^tau = 0 in place of J M^-1 R^tau = 0.
 fn painleves_choice(page: &mut Page) {
     let any = AnySystem::<2, 1>::new();
     let reaction: [Sym; 2] = numbered("R");
@@ -196,7 +198,7 @@ fn painleves_choice(page: &mut Page) {
     page.correct();
 }
 
-/// The contact itself: Coulomb's law compares the contact's reactions, not the multiplier of the decomposition.
+/// The contact itself: Coulomb's law relates the reactions of the contact, not the multiplier of the decomposition.
 fn rod(page: &mut Page) {
     let case = cases::rod();
     let state = case.motion().state;
@@ -205,7 +207,7 @@ fn rod(page: &mut Page) {
     let (cos, sin) = (point.cos, point.sin);
     let rows: [[Sym; 4]; 2] = jacobian(&case.system, &state);
     let masses: [Sym; 4] = case.system.masses();
-    // the guide's reaction on M, along and across
+    // the guide's reaction on M, along the guide and perpendicular to it
     let contact = [push, up, Sym::ZERO, Sym::ZERO];
     let undefined = mechanics::constrained::combining::Combined {
         multipliers: [Sym::UNDEFINED; 2],
@@ -218,7 +220,7 @@ fn rod(page: &mut Page) {
     page.claim("combining", "rod", r"The guide's reaction $(R_1,R_2)$ on the rod's point $M$ has $R^\tau = \mu\,(m, 0, m_1\cos^2\theta, m_1\sin\theta\cos\theta)$ with $\mu = R_1/(m+m_1\cos^2\theta)$")
         .in_words()
         .follows((0..4).map(|i| Equal(split.of_friction[i], expected[i])));
-    // the second row is the gap -y, so that its multiplier is -lambda_2 here
+    // the second row is the gap -y, hence its multiplier is -lambda_2 here
     page.claim("combining", "rod-normal", r"The guide's reaction across itself on the rod's point $M$ is $R_2 = \lambda_2 + m_1\mu\sin\theta\cos\theta$ with $\mu = R_1/(m+m_1\cos^2\theta)$. The contact's normal force is not the multiplier")
         .holds([Line::formula(up + split.multipliers[1], up - letter("λ2"), m1 * mu * sin * cos)]);
 

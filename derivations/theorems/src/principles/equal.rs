@@ -1,4 +1,4 @@
-//! Equality of the accelerations of one system by every principle.
+//! The claims that all principles give equal accelerations for one system.
 
 use claims::{Condition, Page};
 use mechanics::constrained::classify::{Class, Unclassified, classify};
@@ -15,14 +15,14 @@ use Condition::{Equal, Zero};
 pub struct Case<Q, const N: usize, const C: usize, const K: usize, const R: usize> {
     /// The name of the entry in the page.
     pub entry: &'static str,
-    /// The name in a sentence.
+    /// The name as used in a sentence.
     pub name: &'static str,
     pub system: Q,
-    /// t, q, p
+    /// The time, the chart's coordinates and its velocities (t, q, p).
     pub at: (Sym, [Sym; K], [Sym; R]),
-    /// The coordinates that the constraints determine, one each.
+    /// For each constraint, the index of the coordinate that it determines.
     pub dependent: [usize; C],
-    /// mu of the friction as the extended method writes it: R^tau_i = sum mu_j m_i dx'_i/dp_j.
+    /// The coefficients mu of the friction in the notation of the extended method: R^tau_i = sum mu_j m_i dx'_i/dp_j.
     pub friction: [Sym; R],
     /// Variations of the free accelerations.
     pub variations: [Sym; R],
@@ -38,16 +38,16 @@ where
         Motion::at(&self.system, time, q, p)
     }
 
-    /// The class of the constraints, by Frobenius' theorem.
+    /// The class of the constraints by Frobenius' theorem.
     ///
     /// # Errors
-    /// [`Unclassified`] where the prover gave up.
+    /// [`Unclassified`] if the prover reaches no result.
     pub fn class(&self) -> Result<Class, Unclassified> {
         classify(&self.system, self.at.0, self.motion().state.place)
     }
 
-    /// Accelerations by Lagrange's multipliers, under the given forces and others. They are undefined where the equations cannot be
-    /// solved, and claims about them then fail.
+    /// The accelerations by Lagrange's multipliers, under the given forces and additional ones. They are undefined if
+    /// the equations cannot be solved; the claims about them then fail.
     pub fn by_multipliers(&self, others: [Sym; N]) -> Reaction<Sym, N, C> {
         let state = self.motion().state;
         let given: [Sym; N] = self.system.force(&state);
@@ -70,7 +70,8 @@ where
         .follows(values.into_iter().chain(first).map(Zero));
     }
 
-    /// The claims that the principles which use the chart or the reactions give the accelerations of Lagrange's multipliers.
+    /// The claims that each principle which uses the chart or the reactions gives the same accelerations as Lagrange's
+    /// multipliers.
     pub fn claims(&self, page: &mut Page) {
         let motion = self.motion();
         let force = self.system.force(&motion.state);
@@ -97,7 +98,8 @@ where
         self.combining(page, &motion);
     }
 
-    /// The extended friction has no component along the constraints: rows times fields vanish, and the multipliers do not change.
+    /// The claims that the extended friction has no component along the constraints: the products of rows and fields
+    /// are zero, and the multipliers do not change.
     fn combining(&self, page: &mut Page, motion: &Motion<Sym, N, R>) {
         let masses: [Sym; N] = self.system.masses();
         let friction = std::array::from_fn(|i| {
@@ -109,7 +111,7 @@ where
             .follows((0..C).map(|k| Equal(with.multipliers[k], without.multipliers[k])));
     }
 
-    /// Gauss' principle: the minimum over the admissible accelerations, and the proof that it is one.
+    /// Gauss' principle: the minimum over the admissible accelerations, with a proof that it is a minimum.
     pub fn gauss(&self, page: &mut Page) {
         let state = self.motion().state;
         let (masses, force) = (self.system.masses(), self.system.force(&state));
@@ -130,7 +132,7 @@ where
             .follows([Equal(more, kinetic_energy(masses, varied))]);
     }
 
-    /// Ideal scleronomic constraints do no work: the power of the forces equals that of the inertia.
+    /// Ideal scleronomic constraints do no work: the power of the forces equals the rate of the kinetic energy.
     pub fn energy(&self, page: &mut Page) {
         let state = self.motion().state;
         let (masses, force): ([Sym; N], [Sym; N]) = (self.system.masses(), self.system.force(&state));
@@ -145,7 +147,7 @@ where
         .follows([Zero(power)]);
     }
 
-    /// Shulgin's equations in redundant coordinates, with the lost term restored.
+    /// Shulgin's equations in redundant coordinates, with the missing term restored.
     pub fn shulgin(&self, page: &mut Page) {
         let motion = self.motion();
         let state = motion.state;

@@ -1,4 +1,4 @@
-//! Gauss' principle with friction: frozen, and with the law of friction substituted.
+//! Gauss' principle with friction: with the friction held constant, and with the law of friction substituted.
 
 use super::alphabet::{letter, letters};
 use super::any::{AnySystem, numbered};
@@ -26,7 +26,7 @@ pub fn claims(page: &mut Page) {
     paradox(page);
 }
 
-/// m w = X + J^T lambda and J delta = 0 give Z(w + delta) - Z(w) = 1/2 sum m delta^2.
+/// The equations m w = X + J^T lambda and J delta = 0 imply Z(w + delta) - Z(w) = 1/2 sum m delta^2.
 fn frozen<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
     let any = AnySystem::<N, C>::new();
     let (w, delta, force): ([Sym; N], [Sym; N], [Sym; N]) = (numbered("w"), numbered("δ"), numbered("X"));
@@ -43,8 +43,8 @@ fn frozen<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
         .by_combination([(Equal(more, kinetic_energy(any.masses, delta)), vec![], cofactors)]);
 }
 
-/// With R^tau a function of the accelerations w that satisfies J M^-1 R^tau = 0 wherever it is evaluated. w0 is the motion
-/// without friction, lambda its multipliers.
+/// The case in which R^tau is a function of the accelerations w that satisfies J M^-1 R^tau = 0 at every argument. w0
+/// is the acceleration without friction, lambda its multipliers.
 fn substituted<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
     let any = AnySystem::<N, C>::new();
     let (w, friction, force): ([Sym; N], [Sym; N], [Sym; N]) = (numbered("w"), numbered("R"), numbered("X"));
@@ -90,7 +90,7 @@ fn contact(page: &mut Page) {
         .fails([Line::formula(slope, letter("slope"), Sym::ZERO)]);
     let point = letter("θ").circle();
     let (cos, sin) = (point.cos, point.sin);
-    // S: the rod's length is kept while M is rubbed by F = -f (m g - S sin)
+    // S: the force of the rod, whose length is constant, under the friction F = -f (m g - S sin) on M
     let push = -(m * m1 * (l * dtheta * dtheta + g * sin + f * g * cos)) / (m + m1 * cos * (cos - f * sin));
     page.claim(
         "gauss-friction",
@@ -110,7 +110,7 @@ fn contact(page: &mut Page) {
         .follows((0..2).map(|j| Equal(slopes[j], moving[j] - excess * of_law(j))));
 }
 
-/// A state at which the motion that would be the minimum does not exist.
+/// A state at which the motion that should be the minimum does not exist.
 fn paradox(page: &mut Page) {
     let case = cases::rod();
     let state = case.motion().state;
@@ -120,7 +120,8 @@ fn paradox(page: &mut Page) {
     let friction = extended(masses, rows, contact).map_or([Sym::UNDEFINED; 4], |split| split.of_friction);
     let free = case.by_multipliers([Sym::ZERO; 4]);
     let w: [Sym; 4] = std::array::from_fn(|i| free.acceleration[i] + friction[i] / masses[i]);
-    // R_2 by the balance of all vertical forces, y downwards; sliding to the right, and the floor pushes upwards
+    // R_2 from the balance of all vertical forces, y downwards; the point slides to the right, and the floor pushes
+    // upwards
     let across = m * w[1] + m1 * w[3] - (m + m1) * g;
     let point = letter("θ").circle();
     let inertia = m + m1 * point.cos * point.cos;

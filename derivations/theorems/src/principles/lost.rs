@@ -1,4 +1,5 @@
-//! Substitution of a constraint into an energy: the condition under which it is right, and the term that is lost otherwise.
+//! Substitution of a constraint into an energy: the condition under which it is valid, and the term that is missing
+//! otherwise.
 
 use super::alphabet::{letter, letters};
 use super::cases;
@@ -24,8 +25,8 @@ pub fn claims(page: &mut Page) {
     prescribed_speed_point(page);
 }
 
-/// The operator in redundant coordinates, and the inertia sum m x'' dx'/dp that it should equal; undefined where the dependent
-/// coordinates are not determined.
+/// The Euler-Lagrange operator in redundant coordinates, and the inertia sum m x'' dx'/dp that it should equal;
+/// undefined if the constraints do not determine the dependent coordinates.
 fn redundant<Q, const N: usize, const C: usize, const K: usize, const R: usize>(
     case: &Case<Q, N, C, K, R>,
     rates: [Sym; R],
@@ -43,7 +44,7 @@ where
         })
 }
 
-/// sum m_i x''_i dx'_i/dp_j.
+/// The inertia sum m_i x''_i dx'_i/dp_j.
 fn inertia<Q: Charted<N, K, R, Given = Sym>, const N: usize, const K: usize, const R: usize>(
     system: &Q,
     motion: &Motion<Sym, N, R>,
@@ -52,7 +53,8 @@ fn inertia<Q: Charted<N, K, R, Given = Sym>, const N: usize, const K: usize, con
     appell::residual(system, motion, [Sym::ZERO; N], rates)
 }
 
-/// sum over k of p_k (the momentum along [X_k, X_j]): the lost term of a chart whose velocities are linear forms of p.
+/// The missing term of a chart whose velocities are linear in p: the sum over k of p_k times the momentum along the
+/// bracket [X_k, X_j].
 fn by_brackets<Q: Charted<N, K, R, Given = Sym>, const N: usize, const K: usize, const R: usize>(
     system: &Q,
     (time, q, p): (Sym, [Sym; K], [Sym; R]),
@@ -140,7 +142,7 @@ fn knife_edge(page: &mut Page) {
         )]);
 }
 
-/// The condition under which the lost term vanishes.
+/// The condition under which the missing term is zero.
 fn condition(page: &mut Page) {
     let (sleigh, disc) = (cases::knife_edge(), cases::disc());
     let (of_sleigh, of_disc) = (
@@ -154,7 +156,8 @@ fn condition(page: &mut Page) {
         .follows(all.map(|(lost, brackets)| Equal(lost, brackets)));
 }
 
-/// A widespread fault: rolling substituted into T, and Lagrange's equations for Euler's angles alone.
+/// A common error: the condition of rolling is substituted into T, and Lagrange's equations are written for Euler's
+/// angles only.
 fn disc(page: &mut Page) {
     let case = cases::disc();
     let rates = letters(["ψ̈", "θ̈", "φ̈"]);
@@ -166,7 +169,7 @@ fn disc(page: &mut Page) {
     let [ddpsi, ddtheta, ddphi] = rates;
     let (cos, sin) = (letter("θ").circle().cos, letter("θ").circle().sin);
     let (axial, rolling) = (p + p, (p + p) + m * a * a);
-    // the axial spin and its rate
+    // the angular velocity about the axis, and its rate
     let spin = dphi + dpsi * cos;
     let dspin = ddphi + ddpsi * cos - dpsi * dtheta * sin;
     let wrong = [
@@ -203,7 +206,7 @@ fn disc(page: &mut Page) {
         ]);
 }
 
-/// A nonlinear kinematic constraint, substituted into the energy, loses the whole inertia.
+/// If a nonlinear kinematic constraint is substituted into the energy, the whole inertia term is lost.
 fn prescribed_speed_point(page: &mut Page) {
     let case = cases::prescribed_speed_point();
     let rates = [letter("χ̇")];

@@ -1,19 +1,20 @@
-//! The equality of the principles of mechanics on every system, with the conditions of those that are not always valid.
+//! All principles of mechanics give equal accelerations for every system; some of them hold only under conditions,
+//! which are stated.
 //!
 //! # Overview
 //! * [`cases`]: the systems, each a [`Case`] at a general instant;
-//! * `equal`: the accelerations by every principle for one system, against Lagrange's multipliers;
-//! * `combining`, `friction`: Painleve's method of combining constraints and Gauss' principle with friction, as theorems
-//!   on masses, rows of constraints and reactions that are all symbols;
-//! * `lost`: constraints substituted into the energy, and the lost term;
-//! * `museum`: published faults, each with the lost term;
-//! * `programmed`: constraint stabilisation (Baumgarte and generalisations), and drift without it.
+//! * `equal`: for one system, the accelerations by every principle compared with those by Lagrange's multipliers;
+//! * `combining`, `friction`: Painleve's method of combining constraints, and Gauss' principle with friction, as
+//!   theorems in which masses, rows of constraints and reactions are symbols;
+//! * `lost`: the term that is missing if constraints are substituted into the energy;
+//! * `museum`: published errors, each with the missing term;
+//! * `programmed`: constraint stabilisation (Baumgarte and generalisations), and the drift without it.
 //!
 //! # Key results
-//! Gauss' principle with friction holds with the law of friction substituted if the friction is that of the extended
-//! decomposition, and fails if it is the contact's. Painleve's own choice leaves the multipliers unchanged if and only if the
-//! masses commute with the projector onto the virtual displacements. Substitution of a constraint that is not integrable into
-//! the energy loses a term, unless the momentum that the brackets multiply vanishes.
+//! Gauss' principle with the law of friction substituted is valid if the friction is that of the extended
+//! decomposition, and invalid if it is the friction of the contact. Painleve's own condition leaves the multipliers
+//! unchanged if and only if the mass matrix commutes with the projector onto the virtual displacements. Substituting a
+//! nonintegrable constraint into the energy loses a term, unless the momentum that multiplies the brackets is zero.
 
 mod alphabet;
 mod any;
@@ -31,7 +32,7 @@ pub use equal::Case;
 use claims::Page;
 use claims::Paper;
 
-/// The page.
+/// The entry of the page in the ledger.
 pub const PAPER: Paper = Paper {
     key: "principles",
     title: "The principles of mechanics, equal on every system",
@@ -56,7 +57,7 @@ pub const PAPER: Paper = Paper {
     page,
 };
 
-/// The claims.
+/// The page with its claims.
 pub fn page() -> Page {
     let mut page = Page::of(PAPER.key, dimension);
     holonomic(&mut page);

@@ -1,5 +1,5 @@
-//! Two published faults: Appell's equations made by writing q'' for q' in the kinetic energy; a test whose expected result
-//! comes from the wrong kinematics of the code itself.
+//! Two published errors: Appell's equations obtained by writing q'' for q' in the kinetic energy; and a test whose
+//! expected result was derived from the same wrong kinematics as the code.
 
 use super::alphabet::{letter, letters};
 use super::cases;
@@ -15,7 +15,7 @@ use systems::knife_edge::KnifeEdge;
 
 use Condition::Equal;
 
-/// A point of mass m in the plane, free of constraints and forces.
+/// A point of mass m in the plane, without constraints and forces.
 #[derive(Clone, Copy, Debug)]
 struct Point<P>(P);
 
@@ -43,7 +43,7 @@ impl<P: Base> Charted<2, 2, 2> for Point<P> {
     }
 }
 
-/// The knife edge with the velocities of a body whose blade is ahead of its centre, where it is behind.
+/// The knife edge with the velocities of a body whose blade is in front of its centre of mass, although it is behind.
 #[derive(Clone, Copy, Debug)]
 struct Reversed<P>(KnifeEdge<P>);
 
@@ -75,7 +75,7 @@ pub fn claims(page: &mut Page) {
     kinematics_of_the_code(page);
 }
 
-/// Code and expectation agree because both are derived from the chart; neither checks the constraint.
+/// Code and expected result agree because both are derived from the same chart; neither checks the constraint.
 fn kinematics_of_the_code(page: &mut Page) {
     let case = cases::knife_edge();
     let code = Reversed(case.system);
@@ -105,13 +105,13 @@ fn kinematics_of_the_code(page: &mut Page) {
     page.correct();
 }
 
-/// S with q'' in the place of q' of T.
+/// The acceleration energy S obtained from T by writing q'' for q'.
 fn appell_from_kinetic_energy(page: &mut Page) {
     let [m, r, theta, dr, dtheta, ddr, ddtheta] = letters(["m", "r", "θ", "ṙ", "θ̇", "r̈", "θ̈"]);
     let point = Point(m);
     let motion = Motion::at(&point, Sym::ZERO, [r, theta], [dr, dtheta]);
     let right = equations::residual(&point, &motion, [Sym::ZERO; 2], [ddr, ddtheta]);
-    // T with q'' in the place of q'
+    // T with q'' in place of q'
     let energy = |dq: [Tangent<Sym>; 2]| {
         let q = fixed([r, theta]);
         kinetic_energy(point.masses(), velocity(&point, Tangent::fixed(Sym::ZERO), q, dq))

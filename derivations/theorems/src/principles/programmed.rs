@@ -1,7 +1,8 @@
-//! Programmed constraints: multipliers with which violations y of the constraints obey y'' = Y, compared with Lagrange's.
+//! Programmed constraints: multipliers for which the violations y of the constraints satisfy y'' = Y, compared with
+//! Lagrange's multipliers.
 //!
-//! The theorem is on symbolic masses, rows and rates. For each system it is shown that its rates are affine in the accelerations
-//! with these rows, on the constraints and off them.
+//! The theorem concerns symbolic masses, rows and rates. For each system it is shown that the second derivatives of its
+//! constraints are affine in the accelerations, with these rows, on and off the constraints.
 
 use super::alphabet::{letter, letters};
 use super::any::{AnySystem, dot, numbered};
@@ -30,7 +31,7 @@ pub fn claims(page: &mut Page) {
     drift(page);
 }
 
-/// The rates of the constraints are Y, and (J M^-1 J^T)(lambda - lambda_0) = Y.
+/// The conditions that the second derivatives of the constraints are Y, and that (J M^-1 J^T)(lambda - lambda_0) = Y.
 fn led<const N: usize, const C: usize>() -> Vec<Condition> {
     let any = AnySystem::<N, C>::new();
     let (force, wanted): ([Sym; N], [Sym; C]) = (numbered("X"), numbered("Y1"));
@@ -57,7 +58,8 @@ fn or_undefined<Q: Constrained<N, C, Given = Sym>, const N: usize, const C: usiz
     leading_to(system, at, force, wanted).unwrap_or(undefined)
 }
 
-/// Gauss' principle: the accelerations are the least constrained ones with these rates.
+/// Gauss' principle: these accelerations minimise the constraint among all accelerations with the same second
+/// derivatives Y.
 fn least<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
     let any = AnySystem::<N, C>::new();
     let (force, wanted, shift): ([Sym; N], [Sym; C], [Sym; N]) = (numbered("X"), numbered("Y1"), numbered("δ"));
@@ -71,7 +73,7 @@ fn least<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
         .by_combination([(Equal(growth, square), vec![], first.multipliers.into_iter().enumerate().collect())]);
 }
 
-/// The rod, the steered rod, the ladder and the disc off their constraints.
+/// States of the rod, the steered rod, the ladder and the disc at which the constraints are not satisfied.
 struct Places {
     four: State<Sym, 4>,
     ladder: State<Sym, 4>,
@@ -93,7 +95,7 @@ fn places() -> Places {
     }
 }
 
-/// rates(x'') - rates(0) = J x''
+/// The condition rates(x'') - rates(0) = J x''.
 fn affine_at<Q: Constrained<N, C, Given = Sym>, const N: usize, const C: usize>(
     system: &Q,
     at: &State<Sym, N>,
@@ -119,7 +121,7 @@ fn affine(page: &mut Page) {
         );
 }
 
-/// y'' = Y at a place where the constraints do not hold.
+/// The condition y'' = Y at a state where the constraints are not satisfied.
 fn led_at<Q: Constrained<N, C, Given = Sym>, const N: usize, const C: usize>(
     system: &Q,
     at: &State<Sym, N>,
@@ -141,7 +143,7 @@ fn off_constraints(page: &mut Page) {
         );
 }
 
-/// Baumgarte's law, and the law of violations with energies.
+/// Baumgarte's law, and the law that treats the violations as a system with energies.
 fn linear(page: &mut Page) {
     let case = cases::steered_rod();
     let at = places().four;
@@ -172,7 +174,7 @@ fn linear(page: &mut Page) {
         .follows((0..2).map(|row| Zero(dot(a[row], moved) + dot(c[row], y.rate))));
 }
 
-/// Lagrange's multipliers off the constraints.
+/// Lagrange's multipliers where the constraints are not satisfied.
 fn drift(page: &mut Page) {
     let at = places();
     let rod = cases::rod().system;

@@ -1,10 +1,10 @@
-//! The letters of the page with their LaTeX and dimensions.
+//! The symbols of the page with their LaTeX and dimensions.
 
 use claims::alphabet::{Letter, read_by};
 use field::Circle;
 use symbolic::{Hypotheses, Sym};
 
-/// (name, LaTeX, exponents of kg, m, s)
+/// Each entry is (name, LaTeX, exponents of kg, m, s).
 const LETTERS: &[Letter<3>] = &[
     ("bn", "b_n", [0, 1, -2]),
     ("bt", "b_t", [0, 1, -2]),
@@ -55,7 +55,7 @@ const LETTERS: &[Letter<3>] = &[
 
 read_by!(dimension, letter; [LETTERS]);
 
-/// An angle by its cosine and sine, with their relation.
+/// An angle, given by its cosine and sine, with the relation between them.
 pub fn angle(cos: &str, sin: &str) -> (Circle<Sym>, Hypotheses) {
     let point = Circle { cos: letter(cos), sin: letter(sin) };
     (point, Hypotheses::none().on_circle(point))

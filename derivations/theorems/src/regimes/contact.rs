@@ -1,4 +1,4 @@
-//! One rough contact of any system, with symbols for b and W.
+//! One contact with friction in an arbitrary system, with symbols for b and W.
 
 use super::alphabet::letter;
 use claims::{Condition, Line, Page};
@@ -20,7 +20,7 @@ pub fn claims(page: &mut Page) {
     at_rest(page, &dry);
 }
 
-/// Any system with one one-sided contact.
+/// An arbitrary system with one one-sided contact.
 fn arbitrary() -> Dry<Sym, 1> {
     let [nn, nt, tt] = ["Wnn", "Wnt", "Wtt"].map(letter);
     Dry {
@@ -35,7 +35,7 @@ fn slip(direction: Direction) -> Mode {
     Mode::Slip(direction, Face::Front)
 }
 
-/// A margin of a regime, times the regime's determinant.
+/// The margin of an inequality that a contact regime requires, multiplied by the regime's determinant.
 fn margin(dry: &Dry<Sym, 1>, mode: Mode, which: Margin) -> Sym {
     let cramer = Cramer::of(dry, &[mode]);
     let list = conditions(dry, &[Touch::Rest], &[mode]);

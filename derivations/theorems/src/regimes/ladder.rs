@@ -1,4 +1,4 @@
-//! The ladder in motion: the friction up to which its motion is unique.
+//! The ladder in motion: the coefficient of friction up to which its motion is unique.
 
 use super::alphabet::{angle, letter};
 use claims::{Condition, Line, Page, Point};
@@ -13,7 +13,7 @@ use systems::ladder::Ladder;
 use Condition::{Equal, Positive};
 use Direction::{Backwards, Forwards};
 
-/// Down: A backwards along the wall, B forwards along the floor.
+/// Sliding down: A moves backwards along the wall, B forwards along the floor.
 pub const DOWN: [Direction; 2] = [Backwards, Forwards];
 pub const UP: [Direction; 2] = [Forwards, Backwards];
 
@@ -32,7 +32,7 @@ pub fn leaning(alpha: Circle<Sym>, kappa: Sym, friction: [Sym; 2]) -> Option<Dry
     Dry::of(&ladder, &State { time: Sym::ZERO, place, velocity: zeros }, zeros).ok()
 }
 
-/// Principal minors of a pair of slips: of the wall alone, of the floor alone, of both.
+/// The principal minors for a pair of sliding directions: wall only, floor only, both.
 pub fn principal_minors(dry: &Dry<Sym, 2>, [wall, floor]: [Direction; 2]) -> [Sym; 3] {
     let (a, b) = (Mode::Slip(wall, Face::Front), Mode::Slip(floor, Face::Front));
     [[a, Mode::Apart], [Mode::Apart, b], [a, b]].map(|regime| Cramer::of(dry, &regime).determinant)
@@ -86,7 +86,7 @@ fn moving(page: &mut Page) {
         .given([Positive(two - f.powi(2)), Positive(f), Positive(s), Positive(c), Positive(m)])
         .why("The determinant of both slips is positive for $f^2<2$, but the floor's own minor is negative at steep enough friction. At this state, without rotation, the ladder's own weight leaves no motion. If the rotation is fast enough to lift the ladder, there are two motions.")
         .refuted([Positive(floor)], point);
-    // f = 4 / (3 (1 + u)): below 4/3
+    // f = 4 / (3 (1 + u)), which is less than 4/3
     let below = Sym::ratio(4, 3) / (Sym::int(1) + u);
     let Some(dry) = uniform([below, below]) else { return };
     let derived = principal_minors(&dry, DOWN);
@@ -100,7 +100,7 @@ fn moving(page: &mut Page) {
         .under(&circle)
         .holds((0..3).map(|i| Line::formula(derived[i], names[i], printed[i])));
     page.correct();
-    // unequal friction: with 2 sin cos at most 1, the larger below 4/3 by v
+    // unequal friction: sin cos is at most 1/2, and the larger coefficient is 4/3 - v
     let larger = Sym::ratio(4, 3) - v;
     let room = Sym::int(4) - Sym::int(3) * (larger - fa) - two * fa * larger;
     page.claim("ladder-moving", "unequal", r"For the uniform ladder sliding down with $0<f_A\le f_B = 4/3 - v$, $v>0$, the bound $4 - 3(f_B-f_A) - 2f_Af_B = f_A/3 + v(3+2f_A)$ of $m^2\det M$ (regimes/ladder-moving/bound) is positive")

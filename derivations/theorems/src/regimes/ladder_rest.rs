@@ -1,8 +1,9 @@
-//! The ladder at rest: for every friction there is a load under which it may stay or slide.
+//! The ladder at rest: for every friction there is a load under which it may either rest or slide.
 //!
-//! One load belongs to two sets of reactions, whose difference accelerates the ladder (the second set, reversed). The
-//! difference has one free number P. Two of the four limits of friction at rest grow with the reactions, the other two are the
-//! margins here. Sliding down is sliding up with wall and floor, cos and sin exchanged.
+//! One load has two sets of reactions. Their difference (sliding minus rest) is the force that accelerates the ladder
+//! and contains one free number P. For two of the four friction limits at rest the margin grows with the reactions; the
+//! other two are the margins studied here. Sliding down follows from sliding up if wall and floor, cos and sin are
+//! exchanged.
 
 use super::alphabet::{angle, letter};
 use super::ladder::{DOWN, UP, leaning, principal_minors};
@@ -23,11 +24,12 @@ pub fn claims(page: &mut Page) {
     }
 }
 
-/// A direction of sliding, described from the contact whose friction decides: the wall for up, the floor for down.
+/// A direction of sliding, described from the contact whose friction is decisive: the wall for upwards, the floor for
+/// downwards.
 struct Case {
     way: [Direction; 2],
     decides: usize,
-    /// The range of angles in which both motions are possible, in LaTeX.
+    /// The range of angles in which rest and sliding are both possible, in LaTeX.
     steep: &'static str,
     sense: &'static str,
     slugs: [&'static str; 4],
@@ -52,39 +54,39 @@ const SLIDES_DOWN: Case = Case {
     margins: ["fB NB + TB", "fA NA - TA"],
 };
 
-/// (N, T) at the contact that decides and at the other one.
+/// The reactions (N, T) at the decisive contact and at the other one.
 type Reactions = [[Sym; 2]; 2];
 
-/// The data of the construction, from the contact that decides.
+/// The data of the construction, with the decisive contact first.
 struct Data {
-    /// cos and sin of the angle from the deciding contact's line.
+    /// cos and sin of the angle from the line of the decisive contact.
     angle: Circle<Sym>,
     kappa: Sym,
     friction: [Sym; 2],
-    /// P: the normal reaction at the deciding contact, at rest less that in sliding.
+    /// P: the normal reaction at the decisive contact at rest, minus that in sliding.
     surplus: Sym,
     normal: [Sym; 2],
 }
 
 impl Data {
-    /// m l epsilon: the force that the slide's acceleration takes.
+    /// The force m l epsilon that corresponds to the acceleration of sliding.
     fn force() -> Sym {
         let [m, l, eps] = ["m", "l", "eps"].map(letter);
         eps * m * l
     }
 
-    /// (kappa - 1) / (2 kappa).
+    /// The factor (kappa - 1) / (2 kappa).
     fn share(&self) -> Sym {
         (self.kappa - Sym::int(1)) / (Sym::int(2) * self.kappa)
     }
 
-    /// The reactions of sliding: on the friction cones, against the slip.
+    /// The reactions of sliding: on the friction cones, opposite to the sliding velocity.
     fn sliding(&self) -> Reactions {
         let ([f1, f2], [n1, n2]) = (self.friction, self.normal);
         [[n1, -f1 * n1], [n2, f2 * n2]]
     }
 
-    /// The reactions of rest: those of sliding less the part that accelerates the ladder.
+    /// The reactions at rest: those of sliding minus the part that accelerates the ladder.
     fn resting(&self) -> Reactions {
         let (force, p, Circle { cos, sin }) = (Self::force(), self.surplus, self.angle);
         let [[n1, t1], [n2, t2]] = self.sliding();
@@ -92,7 +94,7 @@ impl Data {
         [[n1 + p, t1 - force * sin + fall], [n2 - fall, t2 + force * cos - p]]
     }
 
-    /// The margins of friction at rest, against the slip.
+    /// The margins of the friction limits at rest, in the direction opposite to sliding.
     fn margins(&self) -> [Sym; 2] {
         let ([f1, f2], [[n1, t1], [n2, t2]]) = (self.friction, self.resting());
         [f1 * n1 + t1, f2 * n2 - t2]
@@ -100,7 +102,7 @@ impl Data {
 }
 
 impl Case {
-    /// A pair reordered from (wall, floor) to (deciding, other), or back.
+    /// A pair reordered from (wall, floor) to (decisive, other), or back.
     fn ordered<T: Copy>(&self, [a, b]: [T; 2]) -> [T; 2] {
         if self.decides == 0 { [a, b] } else { [b, a] }
     }
@@ -110,7 +112,7 @@ impl Case {
         Circle { cos, sin }
     }
 
-    /// The data with every letter free.
+    /// The data with every symbol free.
     fn data(&self, alpha: Circle<Sym>) -> Data {
         let [fa, fb, na, nb, kappa, surplus] = ["fA", "fB", "nA", "nB", "kappa", "P"].map(letter);
         let (friction, normal) = (self.ordered([fa, fb]), self.ordered([na, nb]));
@@ -157,7 +159,7 @@ impl Case {
         .holds((0..2).map(|k| Line::formula(data.margins()[k], names[k], printed[k] / sin)));
     }
 
-    /// tan = (1 + u / cos) / f of the deciding contact, kappa = 1 + v.
+    /// The claims with tan = (1 + u / cos) / f at the decisive contact and kappa = 1 + v.
     fn ambiguous(&self, page: &mut Page) {
         let [m, l, eps, u, v] = ["m", "l", "eps", "u", "v"].map(letter);
         let (alpha, _) = angle("ca", "sa");
@@ -180,7 +182,7 @@ impl Case {
             .by_signs(limits.chain(slides.map(|[normal, _]| normal)).map(Positive));
     }
 
-    /// Elimination of P.
+    /// The claims by elimination of P.
     fn only(&self, page: &mut Page) {
         let (alpha, circle) = angle("ca", "sa");
         let data = self.data(alpha);

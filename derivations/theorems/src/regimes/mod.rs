@@ -1,4 +1,4 @@
-//! Regimes of contacts with friction: existence and uniqueness of motion.
+//! Contact regimes with dry friction: existence and uniqueness of motion.
 
 mod alphabet;
 mod contact;
@@ -9,7 +9,7 @@ mod sliders;
 
 use claims::{Page, Paper};
 
-/// The page in the ledger.
+/// The entry of the page in the ledger.
 pub const PAPER: Paper = Paper {
     key: "regimes",
     title: "Regimes of contacts with friction",
@@ -29,7 +29,7 @@ pub const PAPER: Paper = Paper {
     page,
 };
 
-/// The claims.
+/// The page with its claims.
 pub fn page() -> Page {
     let mut page = Page::of(PAPER.key, alphabet::dimension);
     contact::claims(&mut page);

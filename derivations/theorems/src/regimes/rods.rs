@@ -1,4 +1,4 @@
-//! A rod with one rough contact: the critical friction and its minimum.
+//! A rod with one contact with friction: the critical coefficient of friction and its minimum.
 
 use super::alphabet::{angle, letter};
 use claims::{Condition, Line, Page};
@@ -22,7 +22,8 @@ pub fn claims(page: &mut Page) {
     uniform(page);
 }
 
-/// The determinant of a slip, from the system at rest at a place: it does not depend on velocities and forces.
+/// The determinant of a sliding regime, for the system at rest in a position; it does not depend on velocities and
+/// forces.
 pub fn slip_determinant<Q: Contacts<4, 1, 1, Given = Sym>>(system: &Q, place: [Sym; 4], direction: Direction) -> Sym {
     let zeros = [Sym::ZERO; 4];
     let at = State { time: Sym::ZERO, place, velocity: zeros };
@@ -30,7 +31,7 @@ pub fn slip_determinant<Q: Contacts<4, 1, 1, Given = Sym>>(system: &Q, place: [S
     dry.map_or(Sym::UNDEFINED, |dry| Cramer::of(&dry, &[Mode::Slip(direction, Face::Front)]).determinant)
 }
 
-/// The friction at which a determinant, affine in the friction, vanishes.
+/// The coefficient of friction at which a determinant, affine in it, is zero.
 fn critical_friction(determinant: impl Fn(Sym) -> Sym) -> Sym {
     let smooth = determinant(Sym::ZERO);
     smooth / (smooth - determinant(Sym::ONE))
@@ -61,7 +62,7 @@ fn painleve(page: &mut Page) {
         .follows([Equal(critical.powi(2) - Sym::int(4) * k * (k + Sym::int(1)), room.powi(2))]);
 }
 
-/// A rod of mass m with the moment of inertia J = m l^2 / kappa about its centre.
+/// A rod of mass m with the moment of inertia J = m l^2 / kappa about its centre of mass.
 fn with_inertia(kappa: Sym, friction: Sym) -> SlenderRod<Sym> {
     let [m, l, g] = ["m", "l", "g"].map(letter);
     SlenderRod { mass: m, inertia: m * l.powi(2) / kappa, half_length: l, gravity: g, friction }

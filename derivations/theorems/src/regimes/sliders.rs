@@ -1,4 +1,4 @@
-//! Painleve and Klein's sliders, with contact on either face of the rough guide.
+//! The sliders of Painleve and Klein, with contact on either side of the rough guide.
 
 use super::alphabet::{angle, letter};
 use claims::{Line, Page};

@@ -1,10 +1,10 @@
-//! The letters of the page with their LaTeX and dimensions.
+//! The symbols of the page with their LaTeX and dimensions.
 
 use claims::alphabet::{Letter, read_by};
 
-/// (name, LaTeX, exponents of kg, m, s, A)
+/// Each entry is (name, LaTeX, exponents of kg, m, s, A).
 const LETTERS: &[Letter<4>] = &[
-    // gains in steps
+    // dimensionless gains
     ("β", r"\beta", [0, 0, 0, 0]),
     ("κ", r"\kappa", [0, 0, 0, 0]),
     ("T", "T", [0, 0, 0, 0]),

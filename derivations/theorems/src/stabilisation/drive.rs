@@ -12,7 +12,7 @@ use systems::crank_slider::CrankSlider;
 
 use Condition::{Equal, NonZero, Zero};
 
-/// The drive with a letter for every datum.
+/// The drive with a symbol for every datum.
 fn drive() -> CrankDrive<Sym> {
     let [amplitude, frequency, l1, l2, mutual, r1, r2] = letters(["E0", "Ω", "L1", "L2", "M", "R1", "R2"]);
     let [forward, reverse, knee, c3, l4, r4, l5, r5] = letters(["Rf", "Rr", "i0", "C", "L4", "R4", "L5", "R5"]);
@@ -59,7 +59,7 @@ pub fn claims(page: &mut Page) {
     minimal(page);
 }
 
-/// u(i) as it is printed.
+/// The voltage u(i) as printed in the paper.
 fn printed_voltage(i: Sym) -> Sym {
     let [forward, reverse, knee] = letters(["Rf", "Rr", "i0"]);
     let root = (i.powi(2) + knee.powi(2)).sqrt();

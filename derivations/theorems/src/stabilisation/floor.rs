@@ -1,4 +1,5 @@
-//! The floor of a stabilised constraint: each step leaves the constraint by its own error, which no gains remove.
+//! The residual violation of a stabilised constraint: each step violates the constraint by its own discretisation
+//! error, which no gains remove.
 
 use super::alphabet::{letter, letters};
 use claims::{Condition, Page};
@@ -66,7 +67,7 @@ pub fn claims(page: &mut Page) {
             Equal(to.value[0], from.value[0] + h * from.rate[0] + h.powi(2) * (u.powi(2) + v.powi(2))),
             Equal(to.rate[0], from.rate[0] + h * led + two * h.powi(2) * (u * a + v * c)),
         ]);
-    // at rest of the recursion: h f' = -h^2 |v|^2, k f = -b f' + ...
+    // at the fixed point of the recursion: h f' = -h^2 |v|^2, k f = -b f' + ...
     let (speed, power) = (u.powi(2) + v.powi(2), letter("p"));
     let (rate, value) = (-h * speed, (b * h * speed + two * h * power) / k);
     page.claim("floor", "level", r"The recursion of stabilisation/floor/euler with a constant forcing rests at $\dot f=-h|v|^2$ and $f=h(b|v|^2+2\,v\cdot\dot v)/k$. With gains that go with the step, $b=\beta/h$ and $k=\kappa/h^2$, $f$ is $h^2\beta|v|^2/\kappa$ to leading order")

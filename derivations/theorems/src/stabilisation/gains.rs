@@ -1,6 +1,7 @@
-//! The stability region of the gains of constraint stabilisation under discretisation, and the gains of the fastest decay.
+//! The region of gains for which constraint stabilisation with discrete time steps is stable, and the gains with the
+//! fastest decay.
 //!
-//! beta = h b and kappa = h^2 k are the gains of y'' + b y' + k y = 0 with the step size h.
+//! beta = h b and kappa = h^2 k are the dimensionless gains of y'' + b y' + k y = 0 for the step size h.
 
 use super::alphabet::{letter, letters};
 use claims::{Condition, Line, Page};
@@ -38,7 +39,8 @@ fn unit_circle(page: &mut Page) {
         ]);
 }
 
-/// Three lines: the expressions that are positive where a violation decays, times a factor.
+/// Three lines of the page: the expressions, multiplied by a factor, that are positive if and only if a violation
+/// decays.
 fn conditions(scheme: Scheme, factor: Sym, printed: [Sym; 3]) -> Vec<Line> {
     let [beta, kappa] = letters(["β", "κ"]);
     let found = inside_unit_circle(transition(scheme, beta, kappa));
@@ -103,7 +105,7 @@ fn regions(page: &mut Page) {
         .by_signs(outside.map(Positive));
 }
 
-/// The factor of a step on y' = -b y.
+/// The factor by which one step multiplies the solution of y' = -b y.
 fn factor(scheme: Scheme, beta: Sym) -> Sym {
     scheme.step([[-beta]], [Sym::int(1)]).map_or(Sym::UNDEFINED, |[y]| y)
 }

@@ -1,4 +1,5 @@
-//! Constraint stabilisation under discretisation: the stability region of the gains for each method, and a stabilised drive.
+//! Constraint stabilisation with discrete time steps: the stability region of the gains for each method, and a
+//! stabilised drive.
 
 mod alphabet;
 mod drive;
@@ -7,7 +8,7 @@ mod gains;
 
 use claims::{Page, Paper};
 
-/// The page in the ledger.
+/// The entry of the page in the ledger.
 pub const PAPER: Paper = Paper {
     key: "stabilisation",
     title: "Stabilised constraints in steps",
@@ -17,7 +18,7 @@ pub const PAPER: Paper = Paper {
     page,
 };
 
-/// The claims.
+/// The page with its claims.
 pub fn page() -> Page {
     let mut page = Page::of(PAPER.key, alphabet::dimension);
     gains::claims(&mut page);

@@ -1,10 +1,10 @@
-//! The letters of the page: those of the paper, and deviations, the unknown of polynomials, their coefficients.
+//! The symbols of the page: those of the paper, the deviations, the unknown of the polynomials, and their coefficients.
 
 use claims::alphabet::{self, Letter, read_by};
 use papers::konosevich2022;
 use symbolic::Dimension;
 
-/// (name, LaTeX, exponents of kg, m, s, A)
+/// Each entry is (name, LaTeX, exponents of kg, m, s, A).
 const LETTERS: &[Letter<4>] = &[
     ("z", "z", [0, 0, -1, 0]),
     ("δν#", r"\delta\nu_#", [0, 0, 0, 0]),
@@ -38,7 +38,7 @@ const LETTERS: &[Letter<4>] = &[
 
 read_by!(letter, vector; [LETTERS]);
 
-/// The dimension of a letter; `None` for a name that the page does not have.
+/// The dimension of a symbol; `None` if the page has no symbol of this name.
 pub fn dimension(name: &str) -> Option<Dimension> {
     if let Some(root) = name.strip_prefix('√') {
         return konosevich2022::dimension(root).map(|square| square.power(field::Rational::new(1, 2)));

@@ -1,4 +1,4 @@
-//! Closed forms: rotation about a principal axis that carries the rotor and the centre of mass, and rest.
+//! Closed forms: rotation about a principal axis that contains the rotor's axis and the centre of mass, and rest.
 
 use super::alphabet::letter;
 use super::letters::kept;
@@ -57,7 +57,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     rest(page, s, z, h, axis);
 }
 
-/// No weight: x along the vertical.
+/// The case without weight: x is along the vertical.
 fn balanced(page: &mut Page, s: &Letters, z: Sym) {
     let any = kept(s);
     let spin = s.nu * (any.multiplier / s.omega0) - any.tensor * s.nu * s.omega0;

@@ -1,4 +1,4 @@
-//! Circles of motions: quantities common to all members.
+//! Circles of steady motions: the quantities that are common to all members.
 
 use super::letters::kept;
 use claims::{Condition, Page};

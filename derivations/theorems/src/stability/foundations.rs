@@ -1,4 +1,4 @@
-//! The law and its variation, structural zero eigenvalues, the energy, the polynomial of the rotor of constant speed.
+//! The law and its variation, the structural zero eigenvalues, the energy, and the polynomial for constant rotor speed.
 
 use super::alphabet::{letter, vector};
 use super::letters::{free, kept, stationary, unit_vectors};
@@ -37,7 +37,8 @@ fn law(page: &mut Page, s: &Letters) {
         .follows((0..3).map(|i| Equal(all[i], of_points[i])).chain([Equal(spin, of_rotor.dot(&s.l))]));
 }
 
-/// An instant of any motion, with any motor: the motor enters neither the carrier's equations nor the vertical's.
+/// One instant of any motion, with any motor: the motor occurs neither in the equations of the carrier nor in that of
+/// the vertical.
 fn zeros(page: &mut Page, s: &Letters) {
     let energies = Energies::of(&s.in_axes_of_a_star());
     let any = Synchronous { field_speed: s.omega_field, b0: s.b0, f: paper::letter("f") };
@@ -70,7 +71,7 @@ fn zeros(page: &mut Page, s: &Letters) {
         .follows([Equal(spin.slope, missing[7] + drive)]);
 }
 
-/// z-independent letters of a deviation: (d nu, eta, d gamma, d gamma') and their rates.
+/// The symbols, independent of z, of a deviation (d nu, eta, d gamma, d gamma') and their rates.
 struct Deviation {
     vertical: Vector3<Sym>,
     turning: Vector3<Sym>,
@@ -90,7 +91,7 @@ impl Deviation {
         }
     }
 
-    /// The deviation of the state: d omega = w0 d nu + eta.
+    /// The deviation of the state, with d omega = w0 d nu + eta.
     fn state(&self, w0: Sym) -> Vec<Sym> {
         let w = self.vertical * w0 + self.turning;
         w.iter().chain(self.vertical.iter()).copied().chain([self.angle, self.slip]).collect()
@@ -146,7 +147,7 @@ fn energy(page: &mut Page, s: &Letters) {
         .under(&unit_vectors(s))
         .follows([Equal(form(&linear.energy), kinetic + potential)]);
     let along = linear.integrals[1].iter().zip(&state).fold(Sym::ZERO, |sum, (&slope, &own)| sum + slope * own);
-    // eta shifted along nu so that the tilt alone conserves x.nu
+    // eta shifted along nu such that x.nu is conserved under the tilt
     let twice = |eta: Vector3<Sym>| {
         (carrier.tensor * eta).dot(&eta) + s.axial * y.slip * (Sym::int(2) * s.l.dot(&eta) + y.slip)
     };

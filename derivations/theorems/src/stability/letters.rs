@@ -1,4 +1,4 @@
-//! The two classical gyrostats of a steady motion, in letters.
+//! The two classical gyrostats in a steady motion, with symbols as data.
 
 use super::alphabet;
 use nalgebra::Matrix3;
@@ -7,7 +7,7 @@ use studies::stationary::energies::Energies;
 use studies::stationary::stability::reduced::Reduced;
 use symbolic::{Hypotheses, Sym};
 
-/// A rotor of constant relative speed, in the axes of A*.
+/// The gyrostat whose rotor has constant relative speed, in the axes of A*.
 pub fn kept(s: &Letters) -> Reduced<Sym> {
     Reduced {
         tensor: Matrix3::from_diagonal(&s.a_star),
@@ -18,7 +18,7 @@ pub fn kept(s: &Letters) -> Reduced<Sym> {
     }
 }
 
-/// A free rotor, in the same axes and with the same speed.
+/// The gyrostat with a free rotor, in the same axes and with the same speed.
 pub fn free(s: &Letters) -> Reduced<Sym> {
     Reduced {
         tensor: Matrix3::from_diagonal(&s.a_star) - s.l * s.l.transpose() * s.axial,
@@ -27,8 +27,8 @@ pub fn free(s: &Letters) -> Reduced<Sym> {
     }
 }
 
-/// The gyrostat in the axes of A* with the weight for which nu is stationary with the multiplier lambda: every stationary
-/// motion of every gyrostat is of this form.
+/// The gyrostat in the axes of A* with the weight for which nu is a steady motion with the multiplier lambda. Every
+/// steady motion of every gyrostat has this form.
 pub fn stationary(s: &Letters) -> Energies<Sym> {
     let kept = kept(s);
     let momentum = kept.tensor * s.nu * s.omega0 + kept.spin;

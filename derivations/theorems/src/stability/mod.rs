@@ -1,4 +1,5 @@
-//! Stability of steady motions: structural zeros, polynomials, common properties of motors, closed forms.
+//! The stability of steady motions: structural zero eigenvalues, characteristic polynomials, common properties of
+//! motors, closed forms.
 
 mod alphabet;
 mod closed;
@@ -10,7 +11,7 @@ mod motors;
 use claims::{Page, Paper};
 use papers::konosevich2022::Letters;
 
-/// The page in the ledger.
+/// The entry of the page in the ledger.
 pub const PAPER: Paper = Paper {
     key: "stability",
     title: "Stability of the stationary motions of a gyrostat with a motor",
@@ -32,7 +33,7 @@ pub const PAPER: Paper = Paper {
     page,
 };
 
-/// The claims, made in the calling thread.
+/// The page with its claims, which are checked in the calling thread.
 pub fn page() -> Page {
     let letters = Letters::default();
     let mut page = Page::of(PAPER.key, alphabet::dimension);

@@ -1,4 +1,4 @@
-//! The motor in the characteristic equation: one function of z, between the two classical gyrostats.
+//! The motor in the characteristic equation: one function of z, which interpolates between the two classical gyrostats.
 
 use super::alphabet::{letter, vector};
 use super::letters::{free, kept, stationary, unit_vectors};
@@ -24,7 +24,8 @@ pub fn claims(page: &mut Page, s: &Letters) {
     damping(page);
 }
 
-/// The operational stiffness Z(z): the torque against a deviation of the rotor's angle as exp(z t), with its currents.
+/// The operational stiffness Z(z): the torque opposite to a deviation exp(z t) of the rotor's angle, including the
+/// effect of its currents.
 fn stiffness(machine: &impl Machine<Sym>, angle: Circle<Sym>, z: Sym) -> Sym {
     let windings = machine.windings();
     let (moved, slip) = (angle.moving(Sym::int(1)), Tangent::moving(Sym::ZERO, z));
@@ -34,7 +35,7 @@ fn stiffness(machine: &impl Machine<Sym>, angle: Circle<Sym>, z: Sym) -> Sym {
         (moment.slope, rates)
     };
     let (_, induced) = rates(&vec![Tangent::fixed(Sym::ZERO); windings]);
-    // at rest each current decays by itself
+    // with the rotor at rest each current decays independently
     let some = paper::letter("x");
     let mut fading = vec![Tangent::fixed(Sym::ZERO); windings];
     let moving = vec![Tangent::moving(Sym::ZERO, some); windings];
@@ -121,7 +122,7 @@ fn crossing(page: &mut Page) {
         ]);
 }
 
-/// Expansion along the last row.
+/// The determinant by expansion along the last row.
 fn expanded(m: &Matrix4<Sym>) -> Sym {
     (0..4).fold(Sym::ZERO, |sum, column| {
         let others: Vec<usize> = (0..4).filter(|j| *j != column).collect();
@@ -189,7 +190,7 @@ fn currents(page: &mut Page, s: &Letters) {
         .follows([Equal(limit, s.b0 * s.angle().cos + damping * z)]);
 }
 
-/// A'D z^2 p_f + (K + d z) p_c: the minors of Hurwitz.
+/// The Hurwitz minors of A'D z^2 p_f + (K + d z) p_c.
 fn damping(page: &mut Page) {
     let [ac, bc, af, bf, axial, k, d] = ["ac", "bc", "af", "bf", "J", "K", "d"].map(letter);
     let minors = mechanics::stability::hurwitz([

@@ -1,9 +1,9 @@
-//! Stability maps of the rotation about the axis of rotor and weight, over any two data of a scene, by their names, with the region
-//! in which the motor has a steady state.
+//! Stability maps of the steady rotation about the common axis of rotor and weight, over any two data of a scene, given
+//! by name; each map also shows where the motor has a steady state.
 //!
-//! The first datum is arbitrary: at each of its values the motor's own steady state is known, and with it W. T and V, or the
-//! speeds, are polynomials in the second datum; b and a^2 - 4 b are then polynomials in it. This is checked
-//! by running the law with the datum as an unknown.
+//! The first datum takes numerical values: at each of them the motor's steady state, and hence W, is computed. The
+//! second datum remains a symbol: if T and V, or the speeds, are polynomials in it, then b and a^2 - 4 b are too.
+//! Whether this holds is checked by evaluating the law with the second datum as a symbol.
 
 use super::datum::{Datum, Setting, Where};
 use super::map::{Column, OneAxis};
@@ -21,14 +21,14 @@ use symbolic::{Hypotheses, NotPolynomial, Sym, normal};
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoPlane {
     Bench,
-    /// The second datum changes the motor's steady state.
+    /// The motor's steady state depends on the second datum.
     NotPolynomial(String),
-    /// A decisive quantity is not polynomial in the second datum, because of this part.
+    /// One of the polynomials whose signs decide is not polynomial in the second datum, because of this quantity.
     Bent {
         name: String,
         part: String,
     },
-    /// At this value rotor, weight and a principal axis are not parallel.
+    /// At this value of the first datum the rotor's axis, the weight and a principal axis of inertia are not parallel.
     Oblique {
         name: String,
         value: f64,
@@ -40,30 +40,31 @@ pub enum NoPlane {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
     Decided(Column),
-    /// The motor has no steady speed: it is pulled out.
+    /// The motor has no steady speed: the load exceeds its pull-out torque.
     PulledOut,
 }
 
-/// A scene over two data.
+/// A stability map over two data of a scene.
 pub struct Plane<'a> {
     scene: &'a Scene,
     data: Data,
     first: &'a Datum,
     second: &'a Datum,
-    /// w0, rad/s, unless it is one of the two data
+    /// The angular velocity w0, rad/s, unless it is one of the two data.
     speed: f64,
-    /// Whether the rotation is about the rotor's axis, or its opposite.
+    /// Whether the angular velocity points along the rotor's axis, or opposite to it.
     along: bool,
 }
 
-/// Parts of a range at whose ends the alignment of rotor, weight and axis is tested.
+/// The number of parts of a range at whose ends it is tested whether rotor axis, weight and principal axis are
+/// parallel.
 const LOOKED: u32 = 12;
 
 impl<'a> Plane<'a> {
-    /// The map over two data, with w0, rad/s, about the rotor's axis or its opposite.
+    /// The map over two data, with the angular velocity w0, rad/s, along the rotor's axis or opposite to it.
     ///
     /// # Errors
-    /// [`NoPlane`].
+    /// [`NoPlane`] gives the reason why there is no map.
     pub fn of(scene: &'a Scene, [first, second]: [&'a Datum; 2], speed: f64, along: bool) -> Result<Self, NoPlane> {
         if scene.on_bench() {
             return Err(NoPlane::Bench);
@@ -74,10 +75,10 @@ impl<'a> Plane<'a> {
         Ok(Plane { scene, data: Data::of(scene), first, second, speed, along })
     }
 
-    /// The map at one value of the first datum, with the second in a range.
+    /// The map at one value of the first datum, with the second datum in a range.
     ///
     /// # Errors
-    /// [`NoPlane`].
+    /// [`NoPlane`] gives the reason why there is no map.
     pub fn cell(&self, value: f64, [low, high]: [f64; 2]) -> Result<Cell, NoPlane> {
         let all = Setting { data: self.data.clone(), load: 0.0, speed: self.speed, rotor_speed: None };
         let here = all.with(self.first, value);
@@ -92,7 +93,7 @@ impl<'a> Plane<'a> {
         let unknown = Sym::symbol("x");
         let set = here.with(self.second, f64::NAN);
         let number = |x: f64| if x.is_nan() { unknown } else { Sym::constant(Rational::decimal(x)) };
-        // an irrational speed is a second unknown
+        // an irrational W enters as a second unknown
         let (own, fraction) = (Sym::symbol("W"), rotor_speed.as_rational());
         let speeds = match self.second.place {
             Where::RotorSpeed => [number(set.speed), unknown],
@@ -126,7 +127,7 @@ impl<'a> Plane<'a> {
         column.map(Cell::Decided).ok_or_else(|| NoPlane::Oblique { name: self.second.name.clone(), value: low })
     }
 
-    /// W, or the cell without one.
+    /// The rotor's speed W, or the cell to draw where the motor has no steady speed.
     fn kept(&self, here: &Setting) -> Result<Result<Root, Cell>, NoPlane> {
         let fraction = |value: Rational| {
             let undefined = || NoPlane::NoMotor("the rotor's speed is no number".into());
@@ -147,7 +148,7 @@ impl<'a> Plane<'a> {
             }
         };
         let Some(speed) = speed else { return Ok(Err(Cell::PulledOut)) };
-        // a rational root that its polynomial does not reveal
+        // the root may be rational without the polynomial showing it
         let simplest = speed.enclosure(256).simplest();
         let same = Root::rational(simplest).filter(|root| root.compare(&speed).is_eq());
         Ok(Ok(same.unwrap_or(speed)))
@@ -160,7 +161,7 @@ impl<'a> Plane<'a> {
         states.map_err(|reason| NoPlane::NoMotor(reason.to_string()))
     }
 
-    /// The pull-out loads, N m, where the first datum is the load.
+    /// The loads, N m, that the motor can carry, if the first datum is the load.
     pub fn bears(&self) -> Option<Bears> {
         let here = Setting { data: self.data.clone(), load: 0.0, speed: self.speed, rotor_speed: None };
         match (&self.first.place, self.motor(&here)) {

@@ -1,7 +1,8 @@
-//! The linearisation of a gyrostat whose rotor has a constant relative speed or own momentum, reduced to three unknowns.
+//! The linearisation of a gyrostat with constant relative speed, or constant own momentum, of the rotor, reduced to
+//! three unknowns.
 //!
-//! With deviations d nu of the vertical and eta = d omega - w0 d nu: d nu' = nu x eta, and with a tensor T, the rotor's
-//! momentum sigma, H = lambda - w0^2 T, kappa = 2 w0 T nu + sigma and n = kappa - w0 tr(T) nu
+//! Let d nu be the deviation of the vertical nu, and eta = d omega - w0 d nu. Then d nu' = nu x eta. With the inertia
+//! tensor T, the rotor's momentum sigma, H = lambda - w0^2 T, kappa = 2 w0 T nu + sigma and n = kappa - w0 tr(T) nu,
 //!
 //!   T eta' = nu x H d nu + n x eta ,    K(z) eta = 0 ,    K(z) = z^2 T - z \[n\] - \[nu\] H \[nu\] ,
 //!
@@ -14,23 +15,23 @@ use field::Scalar;
 use mechanics::rotation::{adjugate, determinant};
 use nalgebra::{Matrix3, Vector3};
 
-/// A steady motion of a gyrostat with constant relative speed or own momentum of the rotor.
+/// A steady motion of a gyrostat with constant relative speed or constant own momentum of the rotor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reduced<S: Scalar> {
-    /// T, kg m^2: A* where the rotor's relative speed is constant, A where its own momentum is
+    /// The tensor T, kg m^2: A* if the rotor's relative speed is constant, A if its own momentum is.
     pub tensor: Matrix3<S>,
-    /// sigma: A' W l or A' (W + w0 l.nu) l, N m s
+    /// The rotor's momentum sigma, N m s: A' W l, or A' (W + w0 l.nu) l.
     pub spin: Vector3<S>,
-    /// w0, rad/s
+    /// The angular velocity w0, rad/s.
     pub speed: S,
-    /// nu
+    /// The unit vector nu of the vertical.
     pub vertical: Vector3<S>,
-    /// lambda = nu.(w0 x + Ge), N m
+    /// The multiplier lambda = nu.(w0 x + Ge), N m.
     pub multiplier: S,
 }
 
 impl<S: Scalar> Reduced<S> {
-    /// A gyrostat with the constant relative speed W of the rotor, rad/s.
+    /// A gyrostat whose rotor has the constant relative speed W, rad/s.
     pub fn kept(energies: &Energies<S>, speed: S, vertical: Vector3<S>, rotor_speed: S) -> Self {
         let Energies { tensor, mixed, weight, .. } = *energies;
         let spin = mixed * rotor_speed;
@@ -38,7 +39,7 @@ impl<S: Scalar> Reduced<S> {
         Reduced { tensor, spin, speed, vertical, multiplier }
     }
 
-    /// A gyrostat with a free rotor of this relative speed, rad/s, whose own momentum is conserved.
+    /// A gyrostat with a free rotor, whose own momentum is conserved; `rotor_speed`: its relative speed, rad/s.
     pub fn free(energies: &Energies<S>, speed: S, vertical: Vector3<S>, rotor_speed: S) -> Self {
         let Energies { tensor, mixed, axial, .. } = *energies;
         let share = mixed / axial;
@@ -50,33 +51,33 @@ impl<S: Scalar> Reduced<S> {
         }
     }
 
-    /// the stiffness H, N m
+    /// The stiffness H, N m.
     pub fn stiffness(&self) -> Matrix3<S> {
         Matrix3::identity() * self.multiplier - self.tensor * self.speed.squared()
     }
 
-    /// kappa, N m s: the derivative of the vertical momentum by a tilt
+    /// The vector kappa, N m s: the derivative of the vertical component of angular momentum with respect to a tilt.
     pub fn coupling(&self) -> Vector3<S> {
         self.tensor * self.vertical * (self.speed + self.speed) + self.spin
     }
 
-    /// n, N m s
+    /// The vector n of the gyroscopic term, N m s.
     pub fn gyroscopic(&self) -> Vector3<S> {
         self.coupling() - self.vertical * (self.speed * self.tensor.trace())
     }
 
-    /// -\[nu\] H \[nu\]
+    /// The matrix -\[nu\] H \[nu\].
     pub fn pulled_back(&self) -> Matrix3<S> {
         let turn = cross(self.vertical);
         -(turn * self.stiffness() * turn)
     }
 
-    /// K(z)
+    /// The matrix polynomial K(z).
     pub fn pencil(&self, z: S) -> Matrix3<S> {
         self.tensor * z.squared() - cross(self.gyroscopic()) * z + self.pulled_back()
     }
 
-    /// (det T, det T a, det T b)
+    /// The coefficients (det T, det T a, det T b).
     pub fn polynomial(&self) -> [S; 3] {
         let n = self.gyroscopic();
         let a = (adjugate(&self.tensor) * self.pulled_back()).trace() + (self.tensor * n).dot(&n);
@@ -85,18 +86,20 @@ impl<S: Scalar> Reduced<S> {
         [determinant(&self.tensor), a, b]
     }
 
-    /// nu.T nu
+    /// The moment of inertia nu.T nu about the vertical.
     pub fn weight(&self) -> S {
         (self.tensor * self.vertical).dot(&self.vertical)
     }
 
-    /// Q, N m: twice the energy of a tilt at constant vertical momentum, on the plane orthogonal to nu.
+    /// The quadratic form Q, N m, on the plane orthogonal to nu: twice the energy of a tilt at constant vertical
+    /// component of angular momentum.
     pub fn energy(&self) -> Matrix3<S> {
         let coupling = self.coupling();
         self.stiffness() + coupling * coupling.transpose() / self.weight()
     }
 
-    /// det T a, det T b, their discriminant, and the trace of Q orthogonal to nu: the signs decide stability.
+    /// The four numbers whose signs decide stability: det T a, det T b, the discriminant, and the trace of Q on the
+    /// plane orthogonal to nu.
     pub fn deciding(&self) -> [S; 4] {
         let [det, a, b] = self.polynomial();
         let form = self.energy();
@@ -111,13 +114,13 @@ pub fn cross<S: Scalar>(a: Vector3<S>) -> Matrix3<S> {
     Matrix3::new(zero, -a.z, a.y, a.z, zero, -a.x, -a.y, a.x, zero)
 }
 
-/// The stability of a tilt, at constant rotor speed and with a motor.
+/// The stability with respect to tilting, at constant rotor speed and with a motor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fate {
-    /// Definite energy: stable at constant speed, and with every motor whose own steady state is stable.
+    /// The energy is definite: stable at constant speed, and with every motor whose own steady state is stable.
     ByEnergy,
-    /// Imaginary eigenvalues with indefinite energy: stabilised only by gyroscopic forces; unstable with a motor whose torque responds to
-    /// the motion.
+    /// The eigenvalues are imaginary and the energy is indefinite: stabilised by gyroscopic forces only, and unstable
+    /// with a motor whose torque responds to the motion.
     ByGyroscopes,
     Unstable,
     /// On the boundary between two of the other cases.
@@ -127,7 +130,7 @@ pub enum Fate {
 impl Fate {
     pub const ALL: [Fate; 4] = [Fate::ByEnergy, Fate::ByGyroscopes, Fate::Unstable, Fate::Edge];
 
-    /// The name in pictures and tables.
+    /// The name in figures and tables.
     pub fn name(self) -> &'static str {
         match self {
             Fate::ByEnergy => "stable by energy, with every motor",
@@ -137,12 +140,12 @@ impl Fate {
         }
     }
 
-    /// The fate of a motion, given the sign of numbers; that of fractions is exact.
+    /// The stability of a motion; `sign` gives the sign of a number, which is exact for rational numbers.
     pub fn of<S: Scalar>(motion: &Reduced<S>, sign: impl Fn(S) -> i32) -> Fate {
         Fate::by_signs(motion.deciding().map(sign))
     }
 
-    /// The fate by the signs of [`Reduced::deciding`].
+    /// The stability by the signs of [`Reduced::deciding`].
     pub fn by_signs([a, b, apart, trace]: [i32; 4]) -> Fate {
         match (b, a, apart) {
             (1, _, _) if trace > 0 => Fate::ByEnergy,

@@ -1,4 +1,4 @@
-//! Steady motions, the layout of states, and states near steady motions along deviations.
+//! Steady motions, the layout of state vectors, and states displaced from a steady motion.
 
 use field::{Base, Circle, Over, Scalar, Tangent};
 use motor::{Machine, RotorState, steady_currents};
@@ -7,13 +7,14 @@ use nalgebra::Vector3;
 /// A steady motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StationaryState<S> {
-    /// w0, rad/s
+    /// The angular velocity w0, rad/s.
     pub speed: S,
-    /// v
+    /// The unit vector v of the vertical.
     pub vertical: Vector3<S>,
-    /// W = phi', rad/s; a machine with an angle is synchronous
+    /// The rotor's relative speed W = phi', rad/s; if the machine's law contains an angle, it is synchronous and
+    /// rotates at W.
     pub rotor_speed: S,
-    /// g
+    /// The angle g of the machine.
     pub angle: Circle<S>,
 }
 
@@ -30,7 +31,7 @@ impl Layout {
         Layout { rotor: machine.rotor(), windings: machine.windings() }
     }
 
-    /// The number of states.
+    /// The number of components of the state.
     pub fn size(self) -> usize {
         6 + self.rotor.dimension() + self.windings
     }
@@ -44,7 +45,7 @@ impl Layout {
     }
 }
 
-/// A state in the form that the laws take.
+/// A state as the arguments of the laws.
 pub struct State<S> {
     pub w: Vector3<S>,
     pub v: Vector3<S>,
@@ -55,7 +56,7 @@ pub struct State<S> {
 }
 
 impl<S: Scalar> StationaryState<S> {
-    /// The motion with coordinates of zero derivative.
+    /// The motion with all derivatives equal to zero.
     pub(super) fn fixed(&self) -> StationaryState<Tangent<S>> {
         let StationaryState { speed, vertical, rotor_speed, angle } = self;
         StationaryState {
@@ -66,8 +67,9 @@ impl<S: Scalar> StationaryState<S> {
         }
     }
 
-    /// The state along a deviation with these derivatives, the currents from their steady values. (Without steady values
-    /// from zero, which the residuals then show to be no steady motion.)
+    /// The state whose coordinates have these derivatives; the currents are measured from their steady values. (If the
+    /// machine has no steady currents, they are measured from zero; the residuals then show that this is no steady
+    /// motion.)
     pub(super) fn state<P: Base, M: Machine<P>>(&self, machine: &M, slopes: &[S]) -> State<Tangent<S>>
     where
         S: Over<P>,
@@ -92,7 +94,7 @@ impl<S: Scalar> StationaryState<S> {
     }
 }
 
-/// A state with derivatives in one direction, differentiated in another.
+/// A state with derivatives in one direction, differentiated once more in another.
 pub(super) fn twice_moved<P: Base, S: Over<P>, M: Machine<P>>(
     inner: &State<Tangent<S>>,
     place: &StationaryState<Tangent<S>>,

@@ -1,4 +1,4 @@
-//! Gyrostats with an axis of symmetry of carrier, rotor and weight.
+//! Gyrostats for which carrier, rotor and weight have a common axis of symmetry.
 
 use super::approximation::Approximation;
 use super::family::beside;
@@ -9,7 +9,7 @@ use field::Rational;
 use nalgebra::Vector3;
 use symbolic::{Formulas, symbols};
 
-/// Whether the gyrostat is symmetric about an axis; `value`: the rotor's speed where a machine prescribes it.
+/// Whether the gyrostat is symmetric about an axis; `value`: the rotor's speed, if the machine prescribes it.
 pub fn is_symmetric(
     approximation: &Approximation,
     energies: &Energies<Rational>,
@@ -28,7 +28,8 @@ pub fn is_symmetric(
         && vanishes(&energies.weight.cross(axis))
 }
 
-/// The number a_c for which s + a_c divides both classical polynomials: a rotor along an axis of symmetry does not respond to nutation.
+/// The number a_c for which s + a_c divides both classical polynomials: a rotor along an axis of symmetry does not
+/// respond to nutation, hence its own decay rate is an eigenvalue.
 pub fn unfelt(energies: &Energies<Rational>, place: &[Enclosure; 7], one: &Enclosure) -> Option<Enclosure> {
     let unknowns = symbols(["w0", "v1", "v2", "v3", "W"]);
     let [speed, v1, v2, v3, rotor_speed] = unknowns;

@@ -1,4 +1,5 @@
-//! A map as branches: each is a motion followed from node to node, with at most one place at each.
+//! A map as a set of branches. A branch is one steady motion continued from node to node; it has at most one motion at
+//! each node.
 
 use super::line::{Border, Link};
 use super::node::{Class, Here, Node};
@@ -7,32 +8,32 @@ use std::collections::VecDeque;
 /// All nodes, and the branches that join them.
 #[derive(Clone, Debug)]
 pub struct Atlas {
-    /// The nodes, column by column, each from its lowest row.
+    /// The nodes, column by column, each column from its lowest row.
     pub columns: Vec<Vec<Node>>,
-    /// The branches, those with most nodes first.
+    /// The branches, in descending order of their number of nodes.
     pub branches: Vec<Branch>,
-    /// The borders at which the verdict on a branch changes, or the branch ends.
+    /// The borders at which the verdict on a branch changes, or the branch ends, each with the index of its branch.
     pub borders: Vec<(usize, Border)>,
-    /// The number of motions that could not be followed to a neighbour with equally many.
+    /// The number of motions that could not be continued to a neighbour, although it has equally many motions.
     pub lost: usize,
 }
 
-/// One motion over the nodes to which it was followed.
+/// One steady motion over the nodes to which it was continued.
 #[derive(Clone, Debug)]
 pub struct Branch {
     /// The index of the rotor's steady state.
     pub state: usize,
-    /// The place of the motion among those of each node.
+    /// The index of the motion among those of each node; `None` at nodes outside the branch.
     pub places: Vec<Vec<Option<usize>>>,
     /// The number of nodes of the branch.
     pub nodes: usize,
 }
 
-/// (column, row, place)
+/// (column, row, index of the motion)
 type At = (usize, usize, usize);
 
 impl Atlas {
-    /// The atlas from the links of each row from left to right, and of each column upwards.
+    /// The atlas from the links of each row, from left to right, and of each column, upwards.
     pub fn of(columns: Vec<Vec<Node>>, rows: Vec<Vec<Link>>, upwards: Vec<Vec<Link>>) -> Self {
         let mut next: Vec<Vec<Vec<Vec<At>>>> = columns
             .iter()
@@ -102,7 +103,7 @@ impl Atlas {
 }
 
 impl Branch {
-    /// Extends the branch breadth first; a node that it has already reached is not entered again.
+    /// Extends the branch by breadth-first search; a node that it has reached is not entered again.
     fn grow(&mut self, from: At, own: usize, next: &[Vec<Vec<Vec<At>>>], number: &mut [Vec<Vec<Option<usize>>>]) {
         let mut open = VecDeque::from([from]);
         while let Some((column, row, place)) = open.pop_front() {

@@ -1,4 +1,5 @@
-//! The linearised law with letters for the bodies, the load and a datum of the machine, built once for a map.
+//! The linearised law with symbols for the bodies, the load and a datum of the machine; it is derived once for a whole
+//! map.
 
 use super::Region;
 use crate::scene::Scene;
@@ -13,12 +14,12 @@ use nalgebra::{Matrix3, Vector3};
 use std::sync::Arc;
 use symbolic::Sym;
 
-/// The meaning of the letters of the law.
+/// The meaning of the symbols in the law.
 pub(super) struct Letters {
-    /// Whether one of the data is W itself, in place of the motor's own steady speed.
+    /// Whether one of the two data is W itself, which then replaces the motor's own steady speed.
     prescribed: bool,
     load: bool,
-    /// The place of a datum among those of the machine.
+    /// The index of the datum among those of the machine, if it is one of them.
     machine: Option<usize>,
     approximation: Approximation,
 }
@@ -30,7 +31,7 @@ pub(super) struct Ground {
     letters: Vec<Rational>,
 }
 
-/// The rotor's constant quantity, with the angle of a synchronous motor.
+/// The rotor's constant quantity, and the angle of a synchronous motor.
 pub(super) struct HeldRotor<'a> {
     pub kept: Kept,
     pub value: Root,
@@ -50,7 +51,8 @@ impl Letters {
 }
 
 impl Region<'_> {
-    /// The motor at one value of the first datum, shared by all values if that datum is not one of the motor.
+    /// The motor at one value of the first datum; computed once for all values if that datum does not belong to the
+    /// motor.
     pub(super) fn ground(&self, first: f64) -> Result<Arc<Ground>, NoMotor> {
         if self.data[0].is_of_motor() {
             return self.ground_at(first).map(Arc::new);
@@ -64,7 +66,7 @@ impl Region<'_> {
         let given = self.scene.given.with_data(here.data.machine.clone());
         let own = given.model(self.scene.machine.name()).map_err(NoMotor::Data)?;
         let motor = match prescribed {
-            // W is the node's own
+            // W is given at each node
             true => MotorStates::Free,
             false => MotorStates::under(&own, here.load)?,
         };
@@ -72,14 +74,14 @@ impl Region<'_> {
         letters.extend(load.then(|| Rational::decimal(here.load)));
         letters.extend(machine.map(|place| Rational::decimal(here.data.machine[place])));
         if letters.iter().any(|value| value.sign() != Some(1) && value.sign() != Some(-1)) {
-            // a datum that vanishes may change the integrals
+            // a datum that is zero may change the integrals
             let written = Written { motor: &own, load: false, datum: None };
             return Ok(Ground { motor, approximation: written.approximation(*prescribed)?, letters: Vec::new() });
         }
         Ok(Ground { motor, approximation: approximation.clone(), letters })
     }
 
-    /// The rotor's steady states with a restoring torque, or at which two merge.
+    /// The rotor's steady states at which the torque is restoring, or at which two of them merge.
     pub(super) fn held<'a>(
         &self,
         ground: &'a Ground,
@@ -113,7 +115,7 @@ impl Region<'_> {
 }
 
 impl Ground {
-    /// The linearisation with a node's own bodies.
+    /// The linearisation with the bodies of one node.
     pub fn approximation(&self, energies: &Energies<Rational>) -> Approximation {
         let Energies { tensor, mixed, axial, weight } = energies;
         let tensor = (0..3).flat_map(|i| (i..3).map(move |j| tensor[(i, j)]));
@@ -125,7 +127,7 @@ impl Ground {
 struct Written<'a> {
     motor: &'a Motor,
     load: bool,
-    /// The datum that is a letter.
+    /// The datum that is a symbol.
     datum: Option<&'a str>,
 }
 

@@ -1,4 +1,5 @@
-//! Neighbouring nodes on a line of the map: the motions that they share, and the borders at which one ends or changes its verdict.
+//! Neighbouring nodes on a row or column of the map: the motions common to both, and the borders at which a motion ends
+//! or its verdict changes.
 
 use super::Region;
 use super::law::Ground;
@@ -14,21 +15,21 @@ use symbolic::{Formulas, Sym, symbols};
 /// The relation of two neighbouring nodes.
 #[derive(Clone, Debug, Default)]
 pub struct Link {
-    /// The places of each shared motion among those of the first and of the second.
+    /// For each common motion, its index at the first node and at the second.
     pub joined: Vec<[usize; 2]>,
     pub borders: Vec<Border>,
-    /// The number of motions that could not be followed, though both nodes have equally many.
+    /// The number of motions that could not be continued, although both nodes have equally many.
     pub lost: usize,
 }
 
-/// A change between two points, both judged as nodes are.
+/// A change between two points; the verdicts at both are proved, as at the nodes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Border {
     pub change: Change,
     pub between: [[f64; 2]; 2],
-    /// The value of the second datum, w0, rad/s, where it is an isolated root of a polynomial.
+    /// The value of the second datum, w0, rad/s, if it is an isolated root of a polynomial.
     pub exactly: Option<f64>,
-    /// The motion that changes: the neighbour (first or second), and its place there.
+    /// The motion that changes: the neighbour (0: first, 1: second), and the index of the motion there.
     pub of: (usize, usize),
 }
 
@@ -37,21 +38,21 @@ pub struct Border {
 pub enum Change {
     /// The verdict on one motion changes.
     Verdict,
-    /// Two motions merge (saddle-node).
+    /// Two motions merge (saddle-node bifurcation).
     Fold,
-    /// The motor has no steady speed or angle beyond.
+    /// The motor has no steady speed or angle beyond this border.
     PullOut,
 }
 
-/// The number of bisections between two neighbours: down to a third of the width of a printed line.
+/// The number of bisections between two neighbours; the remaining interval is a third of a line width in print.
 const HALVINGS: usize = 5;
 
-/// K and b along a line on which one datum moves.
+/// K and b along a line on which one datum varies.
 struct Line<'a> {
     region: &'a Region<'a>,
     moving: usize,
     formulas: Formulas,
-    /// The folds of a line over w0, rad/s.
+    /// The values of w0, rad/s, at which two motions on this line merge.
     folds: OnceCell<Vec<f64>>,
 }
 
@@ -63,10 +64,10 @@ struct Stop {
 }
 
 impl Region<'_> {
-    /// The links of a row of nodes (`moving` 0) or a column (1), each node with the next.
+    /// The links between successive nodes of a row (`moving` 0) or a column (1).
     ///
     /// # Errors
-    /// [`NoMotor`] where the motor's steady states are not known.
+    /// [`NoMotor`] if the motor's steady states are not known.
     pub fn links(&self, nodes: &[&Node], moving: usize) -> Result<Vec<Link>, NoMotor> {
         let Some(first) = nodes.first() else { return Ok(Vec::new()) };
         let ground = self.ground(first.values[0])?;
@@ -86,12 +87,12 @@ impl<'a> Line<'a> {
         let (tensor, share) = energies.quadratic(region.kept(ground));
         let matrix = tensor * (speed * speed);
         let vector = share * (speed * kept) + energies.weight;
-        // the matrix is symmetric: columns are rows
+        // the matrix is symmetric, so the order of rows and columns does not matter
         let all: Vec<Sym> = matrix.iter().chain(vector.iter()).copied().collect();
         Some(Line { region, moving, formulas: Formulas::of(&all, &unknowns).ok()?, folds: OnceCell::new() })
     }
 
-    /// The place of a motion of one stop at another stop.
+    /// The motion at the point `to` that continues a motion at the point `from`.
     fn followed(
         &self,
         place: &steady_rotations::EnclosedPoint,
@@ -156,7 +157,7 @@ impl<'a> Line<'a> {
         Ok(link)
     }
 
-    /// The two points between which the verdict on a motion changes.
+    /// The two points, a bisected interval apart, between which the verdict on a motion changes.
     fn changed(&self, first: &Node, here: &Here, second: &Node) -> Result<[[f64; 2]; 2], NoMotor> {
         let class = Class::from(here.verdict);
         let mut low = (Stop { values: first.values, value: here.value.clone() }, here.place.clone());
@@ -182,7 +183,8 @@ impl<'a> Line<'a> {
         Ok([low.0.values, high])
     }
 
-    /// The two points between which the number of motions with one steady state of the rotor changes.
+    /// The two points, a bisected interval apart, between which the number of motions with one steady state of the
+    /// rotor changes.
     fn counted(
         &self,
         first: &Node,
@@ -209,7 +211,7 @@ impl<'a> Line<'a> {
         Ok(([low, high], if held[0] == held[1] { Change::Fold } else { Change::PullOut }))
     }
 
-    /// The only fold between two points of a line over w0.
+    /// The value of w0 at which two motions merge, if there is exactly one between two points of a line over w0.
     fn fold(&self, state: usize, between: [[f64; 2]; 2]) -> Result<Option<f64>, NoMotor> {
         if self.moving == 0 || !self.region.data[1].is_speed() {
             return Ok(None);

@@ -1,15 +1,18 @@
-//! Maps of all steady motions over any two data of a scene; a rotor's axis may be oblique, its speed irrational.
+//! Maps of all steady motions over any two data of a scene; the rotor's axis need not be a principal axis, and its
+//! speed may be irrational.
 //!
 //! # Overview
 //! * [`Region`]: a scene, two data with their ranges, and the grid;
-//! * `law`: the linearised law with letters for all that varies over the map;
-//! * [`node`]: all motions at two values of the data, with verdicts by a `spot`;
-//! * [`line`](mod@line): motions of two neighbours that are proved to be one; borders between them, where one ends or its verdict changes;
+//! * `law`: the linearised law with symbols for all quantities that vary over the map;
+//! * [`node`]: all steady motions at two values of the data, with verdicts from `spot`;
+//! * [`line`](mod@line): which motions of two neighbours are proved to be the same; the borders between them, where a
+//!   motion ends or its verdict changes;
 //! * [`atlas`]: branches, each with at most one motion at a node.
 //!
-//! At the nodes all verdicts are proved. Between two neighbours a motion is followed by Krawczyk's operator over the whole interval;
-//! where its verdict changes, or it merges with another, the place is found by bisection between points judged as nodes
-//! are. Other events between neighbours, such as an island smaller than the mesh, are not excluded.
+//! At the nodes all verdicts are proved. Between two neighbours a motion is continued by Krawczyk's operator over the
+//! whole interval. Where its verdict changes, or where it merges with another motion, the point is found by bisection;
+//! the verdicts at the bisection points are proved as at the nodes. Other events between neighbours, such as a region
+//! smaller than the mesh, are not excluded.
 
 pub mod atlas;
 mod law;
@@ -29,11 +32,11 @@ use law::{Ground, Letters};
 use std::fmt;
 use std::sync::{Arc, OnceLock};
 
-/// A scene over two data.
+/// A map over two data of a scene.
 pub struct Region<'a> {
     scene: &'a Scene,
     data: [&'a Datum; 2],
-    /// The values of both data at the nodes.
+    /// The values of the two data at the nodes.
     pub values: [Vec<f64>; 2],
     general: Setting,
     letters: Letters,
@@ -52,10 +55,11 @@ pub enum NoRegion {
 }
 
 impl<'a> Region<'a> {
-    /// The region over two data in their ranges, with columns and rows of cells, and w0, rad/s, unless it is one of the data.
+    /// The map over two data in their ranges, with the numbers of columns and rows of cells. `speed` is w0, rad/s, and
+    /// is ignored if w0 is one of the data.
     ///
     /// # Errors
-    /// [`NoRegion`].
+    /// [`NoRegion`] gives the reason why there is no map.
     pub fn of(
         scene: &'a Scene,
         data: [(&'a Datum, [f64; 2]); 2],
@@ -84,7 +88,7 @@ impl<'a> Region<'a> {
     }
 }
 
-/// The middles of cells, rounded relative to the range, to keep the exact decimals short.
+/// The midpoints of the cells, rounded relative to the range, so that they are short decimals.
 pub fn nodes([low, high]: [f64; 2], cells: usize) -> Vec<f64> {
     let step = 10f64.powf((high - low).abs().log10().floor() - 5.0);
     let rounded = |value: f64| {

@@ -10,15 +10,15 @@ use algebra::real::Enclosure;
 use mechanics::steady_rotations::{self, Kind, Shape};
 use nalgebra::Vector3;
 
-/// The class of a verdict, without the number of unstable eigenvalues.
+/// The class of a verdict: the verdict without the number of unstable eigenvalues.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Class {
     AsymptoticallyStable,
     Stable,
     Unstable,
-    /// The motion can only be stable by gyroscopic forces.
+    /// If stable, then by gyroscopic forces only.
     Gyroscopic,
-    /// Undecided for any other reason.
+    /// Undecided for another reason.
     Undecided,
 }
 
@@ -32,30 +32,30 @@ pub struct Node {
 /// The motions at a node, or the reason why there are none.
 #[derive(Clone, Debug)]
 pub enum NodeMotions {
-    /// Isolated motions, and families.
+    /// Isolated motions, and connected families of motions.
     Motions { isolated: Vec<Here>, families: Vec<Family> },
     /// The motor has no stable steady speed or angle.
     PulledOut,
-    /// No bodies have these data.
+    /// No bodies with these data exist.
     NoBodies,
-    /// Motions cannot be separated with the bits that are tried.
+    /// The motions cannot be separated with the precisions that are tried.
     TooFine,
 }
 
-/// A connected family, and the verdicts that occur along it.
+/// A connected family of motions, and the verdicts that occur along it.
 pub type Family = (Shape, Vec<StabilityVerdict>);
 
 /// An isolated motion.
 #[derive(Clone, Debug)]
 pub struct Here {
-    /// The index of the rotor's steady state, in ascending order.
+    /// The index of the rotor's steady state, in ascending order of its value.
     pub state: usize,
     pub kind: Kind,
     pub direction: Vector3<f64>,
     pub verdict: StabilityVerdict,
-    /// (v, lambda)
+    /// The point (v, lambda).
     pub(super) place: steady_rotations::EnclosedPoint,
-    /// W, rad/s, or the rotor's own momentum, N m s.
+    /// The rotor's relative speed W, rad/s, or its own momentum, N m s.
     pub(super) value: Enclosure,
 }
 
@@ -77,7 +77,7 @@ impl From<StabilityVerdict> for Class {
 }
 
 impl Node {
-    /// The isolated motions; empty where there are none.
+    /// The isolated motions; empty if there are none.
     pub fn isolated(&self) -> &[Here] {
         match &self.place {
             NodeMotions::Motions { isolated, .. } => isolated,
@@ -90,7 +90,7 @@ impl Region<'_> {
     /// All nodes with one value of the first datum, from the lowest.
     ///
     /// # Errors
-    /// [`NoMotor`] where the motor's steady states are not known.
+    /// [`NoMotor`] if the motor's steady states are not known.
     pub fn column(&self, column: usize) -> Result<Vec<Node>, NoMotor> {
         let first = self.values[0][column];
         let ground = self.ground(first)?;
@@ -107,7 +107,7 @@ impl Region<'_> {
 }
 
 impl Region<'_> {
-    /// The rotor's constant quantity: relative speed or own momentum.
+    /// The rotor's constant quantity: its relative speed or its own momentum.
     pub(super) fn kept(&self, ground: &Ground) -> Kept {
         match ground.motor {
             MotorStates::Free if self.data.iter().all(|datum| !datum.is_rotor_speed()) => Kept::Momentum,

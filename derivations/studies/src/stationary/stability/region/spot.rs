@@ -1,4 +1,4 @@
-//! The search for the motions at two values of the data, with a verdict on each.
+//! The search for the steady motions at two values of the data, with a verdict on each.
 
 use super::Region;
 use super::law::{Ground, HeldRotor};
@@ -15,7 +15,7 @@ use field::Rational;
 use mechanics::steady_rotations::{self, Body, Data, Kind, count, followed, sharpened};
 use nalgebra::Vector3;
 
-/// The data of the search and the verdicts at two values of the data.
+/// The quantities that the search and the verdicts need, at two values of the data.
 pub(super) struct Spot<'a> {
     region: &'a Region<'a>,
     ground: &'a Ground,
@@ -24,7 +24,7 @@ pub(super) struct Spot<'a> {
     approximation: Approximation,
 }
 
-/// A motion without a verdict yet.
+/// A motion before its verdict.
 pub(super) struct Raw<'a> {
     pub state: usize,
     pub kind: Kind,
@@ -34,21 +34,21 @@ pub(super) struct Raw<'a> {
     held: &'a HeldRotor<'a>,
 }
 
-/// A motion found by isolation, or followed to an irrational W from a nearby fraction.
+/// A motion found by root isolation, or continued to an irrational W from a nearby rational number.
 enum Found {
     Isolated(steady_rotations::SteadyRotation),
     Carried,
 }
 
-/// Precision of places, bits: products of two numbers still fit into two words of the processor.
+/// The precision of coordinates, bits: a product of two numbers fits into two 64-bit words.
 pub(super) const BITS: usize = 56;
-/// Precision where motions are counted and folds isolated, bits.
+/// The precision at which motions are counted and folds isolated, bits.
 const FINE: usize = 96;
-/// The precisions at which signs are tried, bits.
+/// The precisions that are tried in turn for the sign of a number, bits.
 const FINENESS: [usize; 5] = [128, 256, 512, 1024, 2048];
 
 impl<'a> Spot<'a> {
-    /// The spot at two values of the data; `None` where no bodies have these data.
+    /// The search at two values of the data; `None` if no bodies with these data exist.
     pub fn of(region: &'a Region<'a>, ground: &'a Ground, values: [f64; 2]) -> Option<Self> {
         let setting = region.setting(values);
         let Setup::Gyrostat(bodies) = &setting.data.system else { return None };
@@ -62,7 +62,7 @@ impl<'a> Spot<'a> {
         self.region.held(self.ground, &self.setting, &self.energies)
     }
 
-    /// The motions with their verdicts; `None` where they cannot be separated with the bits that are tried.
+    /// The motions with their verdicts; `None` if they cannot be separated with the precisions that are tried.
     pub fn place(&self) -> Option<NodeMotions> {
         let held = self.held();
         if held.is_empty() {
@@ -77,7 +77,7 @@ impl<'a> Spot<'a> {
         Some(NodeMotions::Motions { isolated, families })
     }
 
-    /// All isolated motions with one steady state of the rotor, and the families.
+    /// All isolated motions with one steady state of the rotor, and the connected families.
     pub fn motions<'b>(&self, state: usize, held: &'b HeldRotor<'b>) -> Option<(Vec<Raw<'b>>, Vec<Family>)> {
         if held.value.as_rational().is_none()
             && let Some(carried) = self.carried(state, held)
@@ -102,7 +102,8 @@ impl<'a> Spot<'a> {
         Body::new(&tensor, &share, value, &self.energies.weight)
     }
 
-    /// The angular velocities, rad/s, at which motions merge; `None` where not all are known, or W is irrational, which would take long.
+    /// The angular velocities, rad/s, at which motions merge; `None` if not all are known, or if W is irrational, for
+    /// which the computation would take too long.
     pub fn folds(&self, held: &HeldRotor<'_>) -> Option<Vec<f64>> {
         held.value.as_rational()?;
         let folds = self.body(held, &held.value)?.folds();
@@ -111,8 +112,8 @@ impl<'a> Spot<'a> {
         all.filter(|_| folds.undecided.is_none())
     }
 
-    /// The motions at an irrational W, followed from those at a nearby fraction. They are all motions if their number is constant
-    /// between the two; `None` where that is not known.
+    /// The motions at an irrational W, continued from those at a nearby rational number. If the number of motions is
+    /// constant between the two, these are all motions; `None` if that is not known.
     fn carried<'b>(&self, state: usize, held: &'b HeldRotor<'b>) -> Option<Vec<Raw<'b>>> {
         let value = held.value.enclosure(FINE);
         let beside = Rational::exactly(held.value.to_f64());
@@ -192,7 +193,7 @@ impl<'a> Spot<'a> {
 }
 
 impl Raw<'_> {
-    /// Whether this may be the motion that is known to be the only one in a box.
+    /// Whether this motion may be the one that is known to be unique in a box, because their enclosures overlap.
     pub fn is_in(&self, place: &steady_rotations::EnclosedPoint) -> bool {
         self.place.iter().zip(place).all(|(a, b)| !a.is_apart_from(b))
     }
