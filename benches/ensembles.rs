@@ -1,8 +1,9 @@
-//! Ensembles of gyrostats with data and starts of their own, with 8 states (synchronous motor) and 15 (six damper bars),
-//! on one thread: trajectories of two seconds in each second, with the largest error of any member against a run to 1e-15,
-//! and steps of the classical Runge-Kutta method times systems in each second, by the law that runs, evaluated in lanes.
+//! Timing of ensembles of gyrostats in which every member has its own data and initial state, with 8 states
+//! (synchronous motor) and with 15 (six damper bars), on one thread. Reported are the trajectories of two seconds
+//! computed per second, with the largest error of any member relative to a reference run with tolerance 1e-15; and the
+//! steps of the classical Runge-Kutta method times systems per second, for the compiled law evaluated in SIMD lanes.
 //!
-//! `cargo bench --bench ensembles`; beside others by `benches/peers/ensembles.py`.
+//! Run it by `cargo bench --bench ensembles`; `benches/peers/ensembles.py` compares it with other tools.
 
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
 use dalembert_derivations::machines::synchronous::Synchronous;
@@ -17,7 +18,7 @@ use reader::Family as _;
 use simulation::Axes;
 use std::time::Instant;
 
-/// Width of the batches of steps: two registers for each number, for latency hiding.
+/// The width of the batches of steps: two registers per number, to hide the latency of operations.
 const WIDE: usize = 16;
 const MEMBERS: u64 = 2048;
 const SPAN: f64 = 2.0;
@@ -66,18 +67,18 @@ fn main() {
     }
 }
 
-/// Ensemble members that differ in all their data and in their starts.
+/// Ensemble members that differ in all their data and in their initial states.
 struct Spread<'a> {
     next: u64,
     parameters: &'a [f64],
     state: &'a [f64],
     steps: u64,
     failed: u64,
-    /// The final states, one after the other.
+    /// The final states, concatenated.
     ends: Vec<f64>,
 }
 
-/// A factor near one, different for each member, within a percent.
+/// A factor within one percent of one, different for each member.
 fn near_one(member: u64, i: usize) -> f64 {
     1.0 + 1e-4 * ((member * 37 + 11 * i as u64) % 101) as f64
 }

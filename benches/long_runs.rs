@@ -1,5 +1,7 @@
-//! Errors of energy (now, and the largest so far), v.v, x.v and phase after so many revolutions of a top in closed form, with
-//! the exponents of their growth: `cargo bench --bench long_runs [-- REVOLUTIONS]`, a million by default, ten minutes; these go into
+//! Errors in long integrations of a top whose motion is known in closed form. After given numbers of revolutions the
+//! errors of energy (the present one and the largest so far), v.v, x.v and phase are printed, with the exponents of
+//! their growth. Run it by `cargo bench --bench long_runs [-- REVOLUTIONS]`; the default is a million revolutions,
+//! which takes ten minutes and writes long_runs.json, from which the report draws its figures.
 //! long_runs.json, which the report draws.
 
 use dalembert_derivations::studies::long_runs::{LongRun, MethodRun, PACES, Sample};

@@ -1,6 +1,7 @@
-//! Effectivity of error estimates of reduced models: estimate over true error on the scenes with a motor, on 1,000 random motors and on
-//! 1,000 random text models, whose choices are judged too: `cargo bench --bench model_reduction`, or with
-//! another number behind it, and with `texts` for the text models alone.
+//! Effectivity of the error estimates of reduced models, which is the estimate divided by the true error: for the
+//! scenes with a motor, for 1,000 random motors, and for 1,000 random text models, for which the chosen models are
+//! evaluated too. Run it by `cargo bench --bench model_reduction`, optionally followed by another number, and by
+//! `texts` for the text models only.
 
 #[path = "../tests/motions/model_reduction/drawn.rs"]
 mod drawn;
@@ -23,10 +24,10 @@ const SCENES: [&str; 7] =
 /// The tolerance of reference runs, and the least error that is compared with them.
 const TIGHT: f64 = 1e-11;
 const LEAST: f64 = 1e-8;
-/// Classes of estimates, by the share of the second order.
+/// The classes of estimates, by the fraction that the second order contributes.
 const DOUBTS: [f64; 3] = [0.1, 0.5, f64::INFINITY];
 
-/// A reduced model of a scene: (its name, true error, first order, second order).
+/// A reduced model of a scene: (name, true error, first order, second order).
 type Seen = (&'static str, f64, f64, f64);
 
 fn main() {
@@ -78,7 +79,7 @@ fn row(name: &str, found: &mut [f64]) {
     println!("{name:<36}{:>6}{cells}", found.len());
 }
 
-/// The effectivities of every approximate reduced model, and the number of models without an estimate.
+/// The effectivities for every approximate reduced model, and the number of models without an estimate.
 fn seen(scene: &Scene) -> (Vec<Seen>, usize) {
     let ladder = Hierarchy::of_scene(scene, Axes::First);
     let span = ladder.own.span;
@@ -86,7 +87,7 @@ fn seen(scene: &Scene) -> (Vec<Seen>, usize) {
     let Ok((watched, _)) = ladder.watched(&scene.run.outputs) else { return (all, 1) };
     for reduced in ladder.models.iter().filter(|reduced| matches!(reduced.loss, Loss::Small { .. })) {
         let estimate = ladder.estimate(reduced, &watched, 1e-6);
-        // also at the time at which the estimate is largest
+        // also the time at which the estimate is largest
         let mut times: Vec<f64> = instants(span).chain(estimate.as_ref().ok().map(|found| found.at)).collect();
         times.retain(|time| *time > 0.0);
         times.sort_by(f64::total_cmp);

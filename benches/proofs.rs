@@ -1,10 +1,10 @@
-//! Seconds to build and to prove the statements that a prover of mechanics must decide at once: `cargo bench --bench
-//! proofs`. `benches/peers/proofs.py` compares with SymPy and FLINT; it requests one statement after the other
-//! (`-- --answer`: letters in, JSON out).
+//! Seconds to derive and prove statements that a prover for mechanics must decide quickly: `cargo bench --bench
+//! proofs`. `benches/peers/proofs.py` compares them with SymPy and FLINT; it requests one statement after the other
+//! (`-- --answer`: symbols in, JSON out).
 //!
-//! Then the pages of the ledger, once each.
+//! Then the pages of the ledger are timed, once each.
 //!
-//! Every repetition builds its expressions afresh, in a fresh thread and so in an empty expression graph.
+//! Every repetition builds its expressions anew, in a new thread and therefore in an empty expression graph.
 
 use algebra::linear::determinant;
 use claims::Judged;
@@ -22,7 +22,7 @@ use std::time::Instant;
 use symbolic::linear::solve;
 use symbolic::{Hypotheses, Sym, decide, symbols};
 
-/// A letter, the statement in words, and a function for the seconds of each of its parts.
+/// A letter that names the statement, the statement in words, and a function for the seconds of each of its parts.
 type Statement = (&'static str, &'static str, fn() -> Vec<f64>);
 
 const STATEMENTS: [Statement; 7] = [
@@ -55,7 +55,8 @@ fn main() {
     }
 }
 
-/// Prints the seconds to derive and to judge a page of the ledger, each claim cross-examined, and the slowest claims.
+/// Prints the seconds to derive and prove a page of the ledger, including the cross-examination of each claim, and the
+/// slowest claims.
 fn pages(paper: &'static Paper) {
     let judging = move || {
         let start = Instant::now();
@@ -79,7 +80,7 @@ fn afresh(run: fn() -> Vec<f64>) -> Vec<f64> {
     std::thread::spawn(run).join().expect("a true statement is proved")
 }
 
-/// The time to build the statement and to prove all of its parts.
+/// The time to build the statement and to prove all its parts.
 fn proving(statement: fn() -> Vec<Sym>) -> f64 {
     let start = Instant::now();
     prove(statement(), &Hypotheses::none());
@@ -141,20 +142,20 @@ impl Forms {
         self.inertia + self.axis * self.axis.transpose() * self.rotor
     }
 
-    /// A w' in the first form, which has the rotor's speed relative to space.
+    /// A w' in the first form, which uses the rotor's speed relative to space.
     fn first_right(&self) -> Vector3<Sym> {
         let spin = self.rotor * (self.speed.dot(&self.axis) + self.rotor_speed);
         (self.inertia * self.speed + self.axis * spin).cross(&self.speed) + self.weight - self.axis * self.torque
     }
 
-    /// A* w' + A' g'' l in the second form, which has the rotor's speed relative to the body.
+    /// A* w' + A' g'' l in the second form, which uses the rotor's speed relative to the body.
     fn second_right(&self) -> Vector3<Sym> {
         (self.whole_inertia() * self.speed + self.axis * (self.rotor * self.rotor_speed)).cross(&self.speed)
             + self.weight
     }
 }
 
-/// Second form - first form - l (rotor's equation) = 0 in every component.
+/// The residuals of (second form) - (first form) - l (rotor's equation), each of which must be zero.
 fn forms_agree() -> Vec<Sym> {
     let body = Forms::new();
     let rate = vector("domega");
@@ -165,7 +166,7 @@ fn forms_agree() -> Vec<Sym> {
     (second - first - body.axis * rotor).iter().copied().collect()
 }
 
-/// w' from the 3 x 3 system of the first form and from the 4 x 4 system of the second.
+/// The accelerations w' from the 3 x 3 system of the first form and from the 4 x 4 system of the second form.
 fn explicit_forms_agree() -> Vec<Sym> {
     let body = Forms::new();
     let rows = |m: Matrix3<Sym>| -> Vec<Vec<Sym>> { m.row_iter().map(|row| row.iter().copied().collect()).collect() };
@@ -197,14 +198,14 @@ fn product_of_determinants() -> Vec<Sym> {
     vec![det(a * b) - det(a) * det(b)]
 }
 
-/// Two products of 3060 terms by 3060.
+/// Two products of polynomials with 3060 terms each.
 fn dense_squares() -> Vec<Sym> {
     let one = Sym::int(1);
     let power = symbols(["x", "y", "z", "t"]).into_iter().fold(one, |sum, x| sum + x).powi(14);
     vec![(power + one) * (power - one) - (power * power - one)]
 }
 
-/// Euler's angles and the rotor's, with their rates and accelerations.
+/// Euler's angles and the rotor's angle, with their rates and accelerations.
 struct Course {
     angles: [Sym; 4],
     rates: [Sym; 4],
@@ -220,7 +221,7 @@ impl Course {
         }
     }
 
-    /// W and the carrier's motion, w = W q'.
+    /// The matrix W and the motion, with the carrier's angular velocity w = W q'.
     fn motion(&self, torque: Sym) -> (Matrix3<Sym>, MotionInstant<Sym>) {
         let [position, velocity, acceleration] =
             [self.angles, self.rates, self.accelerations].map(|[a, b, c, _]| [a, b, c]);
@@ -255,7 +256,7 @@ impl Second {
         (carrier, self.axial * (self.axis.dot(&a) + m.rotor_acceleration) - m.torque)
     }
 
-    /// Derived equations against W^T times the carrier's and the rotor's own.
+    /// Compares the derived equations with W^T times the equations of the carrier and that of the rotor.
     fn prove(&self, derived: [Sym; 4], course: &Course, torque: Sym, under: &Hypotheses) {
         let (forms, motion) = course.motion(torque);
         let (carrier, rotor) = self.residuals(&motion);
@@ -264,7 +265,8 @@ impl Second {
     }
 }
 
-/// Seconds to derive Lagrange's equations from the bodies' data, all free, and to show that they are the second form.
+/// Seconds to derive Lagrange's equations from the bodies' data, all symbolic, and to prove that they are equivalent to
+/// the second form.
 fn from_bodies() -> [f64; 2] {
     let start = Instant::now();
     let [carrier_mass, mass, axial, transverse, gravity, torque] = symbols(["m0", "mr", "Ap", "Bp", "g", "M"]);
@@ -284,7 +286,7 @@ fn from_bodies() -> [f64; 2] {
     [deriving, start.elapsed().as_secs_f64()]
 }
 
-/// Seconds to derive and prove where the tensor of all masses and the weight are the data.
+/// Seconds for derivation and proof if the data are the tensor of all masses and the weight.
 fn from_tensor() -> [f64; 2] {
     let start = Instant::now();
     let [axial, torque] = symbols(["Ap", "M"]);

@@ -1,9 +1,11 @@
-//! Nanoseconds for one right-hand side and for its whole Jacobian as machine code made at run time; for the law
-//! compiled with the project, and for eight directions of it by num-dual. The law is the gyrostat with 8 states (synchronous motor)
-//! and 15 (six damper bars), in both forms. Further: operations, without circle points, and their share of the processor's
-//! peak rate; the second form beside straight-line C, compiled for any processor of this kind, and for this one.
+//! Nanoseconds per evaluation of the right-hand side and of its full Jacobian: as machine code generated at run time;
+//! as the law compiled with the project; and for eight directional derivatives by num-dual. The law is the gyrostat
+//! with 8 states (synchronous motor) and with 15 (six damper bars), in both forms. Also reported: the operations, not
+//! counting sine and cosine, and the fraction of the processor's peak rate; the second form compared with straight-line
+//! C, compiled for any processor of this architecture and for this processor.
 //!
-//! `cargo bench --bench rates`. Instructions of 1000 right-hand sides and 1000 Jacobians of the second form with 15 states, or with 8:
+//! Run it by `cargo bench --bench rates`. To count the instructions of 1000 right-hand sides and 1000 Jacobians of the
+//! second form with 15 or 8 states:
 //!
 //! ```text
 //! CARGO_TARGET_X86_64_UNKNOWN_LINUX_GNU_RUNNER="valgrind --tool=callgrind --callgrind-out-file=/dev/null \\
@@ -67,19 +69,19 @@ fn thousand<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) {
     }
 }
 
-/// The right-hand side and the Jacobian.
+/// The right-hand side and the Jacobian as tapes.
 fn recorded<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) -> Option<(Tape, Tape)> {
     let n = law.dimension();
     let state: Vec<Sym> = (0..n).map(|i| Sym::symbol(&format!("y{i}"))).collect();
     let mut rates = vec![Sym::ZERO; n];
     law.rates(&state, &mut rates);
     let entries: Vec<Sym> = rates.iter().flat_map(|rate| state.iter().map(|&by| rate.diff(by))).collect();
-    // code takes the time as well
+    // the code takes the time as an input too
     let inputs = [state, vec![Sym::symbol("t")]].concat();
     Some((Tape::record(&inputs, &rates).ok()?, Tape::record(&inputs, &entries).ok()?))
 }
 
-/// The rates and their Jacobian's entries as machine code.
+/// The rates and the entries of their Jacobian as machine code.
 fn written<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) -> Option<(Code, Code)> {
     let (tape, entries) = recorded(law)?;
     Some((Code::of(&tape.arranged())?, Code::of(&entries.arranged())?))
@@ -101,7 +103,7 @@ fn row<F: Form<f64>, M: Machine<f64>>(form: &str, law: &Driven<f64, F, M>, peak:
     );
 }
 
-/// Median times of our code and of C, measured in turns.
+/// The median times of this project's code and of C, measured alternately.
 fn beside<F: Form<f64>, M: Machine<f64>>(
     native: bool,
     law: &Driven<f64, F, M>,
@@ -154,7 +156,7 @@ fn start(n: usize) -> Vec<f64> {
     (0..n).map(|i| 0.1 + 0.05 * i as f64).collect()
 }
 
-/// Nanoseconds of a call of machine code; each call depends on the one before.
+/// Nanoseconds per call of machine code; each call depends on the one before.
 fn one_call(code: &Code, n: usize, outputs: usize) -> f64 {
     let (mut state, mut values) = (start(n), vec![0.0; outputs]);
     median(|| {
@@ -163,7 +165,7 @@ fn one_call(code: &Code, n: usize, outputs: usize) -> f64 {
     })
 }
 
-/// Nanoseconds of a call of a compiled law.
+/// Nanoseconds per call of a compiled law.
 fn nanoseconds<S: Over<f64> + Analytic, F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) -> f64 {
     let mut state: Vec<S> = start(law.dimension()).into_iter().map(S::lift).collect();
     let mut rates = state.clone();
@@ -174,7 +176,7 @@ fn nanoseconds<S: Over<f64> + Analytic, F: Form<f64>, M: Machine<f64>>(law: &Dri
     })
 }
 
-/// The median over repeats of the mean over calls.
+/// The median over repetitions of the mean over calls.
 fn median(mut call: impl FnMut()) -> f64 {
     let mut times: Vec<f64> = (0..REPEATS)
         .map(|_| {

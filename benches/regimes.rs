@@ -1,4 +1,5 @@
-//! Microseconds for a verdict on all regimes, from the state on, in f64 and exactly: `cargo bench --bench regimes`.
+//! Microseconds to decide all contact regimes at a state, in f64 and in exact arithmetic: `cargo bench --bench
+//! regimes`.
 
 use dalembert_derivations::systems::ladder::Ladder;
 use dalembert_derivations::systems::slender_rod::SlenderRod;
@@ -39,7 +40,7 @@ fn rod<S: Base + Over<S> + Ordered>(spin: i64) -> f64 {
     microseconds::<_, S, 1>(&rod, &at)
 }
 
-/// The fastest of some repetitions, which is the least disturbed.
+/// The time of the fastest repetition, which is the least disturbed by other processes.
 fn microseconds<Q, S, const K: usize>(system: &Q, at: &State<S, 4>) -> f64
 where
     Q: Contacts<4, 1, K>,

@@ -1,5 +1,6 @@
-//! Microseconds for all stationary motions of a gyrostat, certified: `cargo bench --bench stationary`. With a number of gyrostats behind `--`
-//! their motions are found by the search over boxes on a text of the bodies too, and compared: `cargo bench --bench stationary -- 1000`.
+//! Microseconds to compute all steady motions of a gyrostat with certificates: `cargo bench --bench stationary`. If a
+//! number of gyrostats follows `--`, their motions are also found by the box search on a text description of the
+//! bodies, and compared: `cargo bench --bench stationary -- 1000`.
 
 #[path = "../tests/physical/mod.rs"]
 mod physical;
@@ -39,7 +40,7 @@ fn main() {
     row("census of all w: folds and counts", bodies.iter().map(|(b, _)| microseconds(|| b.census().ok())));
 }
 
-/// Compares the stationary motions of a number of gyrostats by both methods.
+/// Compares the steady motions of a number of gyrostats by both methods.
 fn compare(gyrostats: usize) {
     let mut runner = TestRunner::new(Config { rng_seed: RngSeed::Fixed(1834), ..Config::default() });
     let drawn = (physical::gyrostat(), -400..=400i64, -900..=900i64);

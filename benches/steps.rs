@@ -1,5 +1,5 @@
-//! Time for a step of the splitting methods, as multiples of a step of the classical Runge-Kutta method, measured in
-//! turns with them: `cargo bench --bench steps`. Also at equal accuracy: the time of a run with the error 1e-6.
+//! The time per step of the splitting methods in units of a step of the classical Runge-Kutta method, measured
+//! alternately: `cargo bench --bench steps`. Also the times at equal accuracy, for a run with the error 1e-6.
 
 use dalembert_derivations::studies::scene::Scene;
 use integrators::{Method, Span, Splitting, Tolerance, integrate, interleaved};

@@ -1,6 +1,6 @@
-//! The Taylor method on the gyrostat with 6 states (constant speed), 7 (free rotor), 8 (synchronous motor) and 15 (six damper
-//! bars), in both forms: how long
-//! one takes to write the laws down, and a run of two seconds by tolerance. `cargo bench --bench taylor`.
+//! The Taylor method for the gyrostat with 6 states (constant speed), 7 (free rotor), 8 (synchronous motor) and 15 (six
+//! damper bars), in both forms: the time to record the laws, and the time of a run of two seconds for several
+//! tolerances. Run it by `cargo bench --bench taylor`.
 
 use dalembert_derivations::machines::multi_current::MultiCurrent;
 use dalembert_derivations::machines::synchronous::Synchronous;

@@ -1,4 +1,5 @@
-//! The right-hand side allocates nothing: for every machine, with one bar or with forty, over every field that runs.
+//! The right-hand side does not allocate memory: for every machine, with one bar or with forty, and for every scalar
+//! type used in integrations.
 
 use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::papers::konosevich2022::gyrostats;
@@ -25,14 +26,14 @@ use std::cell::Cell;
 
 mod physical;
 
-/// The system's allocator, counting by thread.
+/// The system's allocator with a count of allocations per thread.
 struct Counting;
 
 thread_local! {
     static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
-// SAFETY: every call is handed on to the system's allocator unchanged.
+// SAFETY: every call is passed unchanged to the system's allocator.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         ALLOCATIONS.set(ALLOCATIONS.get() + 1);
@@ -54,7 +55,7 @@ fn allocations(work: impl FnOnce()) -> usize {
     ALLOCATIONS.get() - before
 }
 
-/// Allocations of a right-hand side over every field that runs.
+/// The allocations of a right-hand side for every scalar type used in integrations.
 fn by_rates(form: impl Form<f64>, machine: Motor) -> usize {
     fn over<S: Over<f64> + Analytic>(law: &impl Ode<S>) -> usize {
         let y: Vec<S> = (0..law.dimension()).map(|i| S::lift(0.1 + i as f64)).collect();
@@ -63,7 +64,7 @@ fn by_rates(form: impl Form<f64>, machine: Motor) -> usize {
         assert!(dy.iter().any(|rate| !rate.is_zero()));
         count
     }
-    // with the metered work as a further state
+    // with the supplied work as an additional state
     let law = WithSuppliedWork(Driven::new(form, machine));
     over::<f64>(&law) + over::<Dual8>(&law) + over::<DoubleDouble>(&law)
 }
@@ -117,7 +118,7 @@ fn a_series_allocates_nothing_once_there_is_room_for_it() {
     assert_eq!(next, 1, "the next run finds the room of the last one");
 }
 
-/// Allocations of twenty steps of a composition, once it has been prepared.
+/// The allocations of twenty steps of a composition, after its preparation.
 fn by_steps(form: impl Form<f64>, machine: Motor) -> usize {
     fn over<S: Real + Running>(driven: &Driven<f64, impl Form<f64>, Motor>) -> usize {
         let mut y: Vec<S> = (0..driven.dimension()).map(|i| S::lift(0.1 + 0.05 * i as f64)).collect();
@@ -198,7 +199,7 @@ fn the_equations_of_mechanisms_and_their_power_allocate_nothing() {
     fn over<S: Over<f64> + Analytic>(law: &dyn Ode<S>, state: &[f64]) -> usize {
         let y: Vec<S> = state.iter().map(|y| S::lift(*y)).collect();
         let mut dy = vec![S::zero(); y.len()];
-        // the program is made at the first call
+        // the program is compiled at the first call
         law.rates(S::lift(0.0), &y, &mut dy);
         allocations(|| law.rates(S::lift(0.1), &y, &mut dy))
     }
@@ -216,7 +217,7 @@ fn the_equations_of_mechanisms_and_their_power_allocate_nothing() {
     }
 }
 
-/// Members with a tenth of a percent between them.
+/// Ensemble members whose data differ by a tenth of a percent.
 struct Crowd<'a> {
     left: u64,
     parameters: &'a [f64],

@@ -1,7 +1,7 @@
 //! Every claim of every paper is a test of its own: `cargo test konosevich2022/eq5.3` runs those of one equation.
 //!
-//! The first gate: the verdict is the expected one, the correction has its own, and the cross-examination objects to
-//! nothing. The second gate, the snapshot, is in `pages.rs`.
+//! This is the first check: the verdict is the expected one, the correction has its expected verdict, and the
+//! cross-examination finds no objection. The second check, the snapshot, is in `pages.rs`.
 
 use claims::Judged;
 use claims::catalogue::{pages, papers};

@@ -1,4 +1,4 @@
-//! The gyrostat of the timings, and its motor's windings.
+//! The gyrostat used in the timings, and the windings of its motor.
 
 use dalembert_derivations::machines::multi_current::Windings;
 use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, Rotor};

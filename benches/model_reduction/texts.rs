@@ -1,4 +1,5 @@
-//! Choices for random text models against true errors: estimates, cost, and the best choice by brute force.
+//! The choices of model and method for random text models, compared with the true errors: estimates, cost, and the best
+//! choice by exhaustive search.
 
 use super::drawn_texts::scene;
 use super::row;
@@ -12,34 +13,35 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// Instants at which runs are compared with the exact one.
+/// The number of instants at which runs are compared with the reference run.
 const DENSE: usize = 2_000;
 const TOLERANCES: [f64; 3] = [1e-2, 1e-4, 1e-6];
-/// The methods of the brute force search.
+/// The methods of the exhaustive search.
 const METHODS: [Method; 3] = [Method::Taylor, Method::DormandPrince8, Method::RadauIIA { stages: 5 }];
 const FINER: [f64; 5] = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8];
 /// The range of errors in which estimates are compared.
 const ESTIMATED: [f64; 2] = [1e-7, 0.1];
 
-/// The numbers of choices of a kind, by outcome.
+/// The numbers of choices of one kind, by outcome.
 #[derive(Clone, Copy, Debug, Default)]
 struct Counts {
     choices: usize,
-    /// Nothing kept the tolerance.
+    /// No model satisfied the tolerance.
     none: usize,
-    /// The tolerance was not kept.
+    /// The chosen model exceeded the tolerance.
     broken: usize,
-    /// The error was above its estimate.
+    /// The error exceeded its estimate.
     above: usize,
     smaller: usize,
-    /// Deciding cost more than three runs of the scene's own model.
+    /// The choice itself cost more than three runs of the scene's own model.
     dear: usize,
-    /// Brute force found a smaller model at half the cost; `taken` counts those of which a cheaper one was taken.
+    /// The exhaustive search found a smaller model at half the cost; `taken` counts those cases in which a cheaper
+    /// model was chosen.
     halves: usize,
     taken: usize,
 }
 
-/// Judges the choices for a number of random systems.
+/// Evaluates the choices for a number of random systems.
 pub fn survey(count: u64) {
     scenes::register(|_| ());
     let mut by_kind: BTreeMap<&str, (Counts, Vec<f64>)> = BTreeMap::new();
@@ -116,7 +118,7 @@ fn judge(scene: &Arc<dyn Modelled>, tolerance: f64, counts: &mut Counts, ratios:
     ratios.extend(effectivities(scene, &models, &receipt, &dense, &off));
 }
 
-/// The least work with which a line's model suffices, by any of the methods at any of the tolerances.
+/// The least work with which a model satisfies the tolerance, over all methods and tolerances.
 fn least_work(
     models: &TextModels,
     line: usize,
@@ -133,7 +135,7 @@ fn least_work(
     METHODS.into_iter().filter_map(by).reduce(|best, work| if work.over(best) < 1.0 { work } else { best })
 }
 
-/// Effectivities: estimates along a run over the true errors of the models.
+/// Effectivities: the estimates along a run divided by the true errors of the models.
 fn effectivities(
     scene: &Arc<dyn Modelled>,
     models: &TextModels,
@@ -162,7 +164,7 @@ fn effectivities(
     estimates.iter().enumerate().filter_map(one).collect()
 }
 
-/// States at the steps of a run.
+/// The states after each step of a run.
 struct Along(Vec<(f64, Vec<f64>)>);
 
 impl Observer<f64> for Along {

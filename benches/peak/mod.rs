@@ -7,7 +7,7 @@ use std::time::Instant;
 const REPEATS: usize = 9;
 const CALLS: u32 = 200_000;
 
-/// Additions and multiplications in a nanosecond, by independent chains of them.
+/// Additions and multiplications per nanosecond, measured on independent chains of operations.
 pub fn flops_per_nanosecond() -> f64 {
     struct Chains;
     impl WithSimd for Chains {

@@ -1,10 +1,12 @@
-//! Our side of the comparison with other tools, driven by `run.py`: one scene, one line a measurement.
+//! This project's part in the comparison with other tools, started by `run.py`: it loads one scene and prints one line
+//! per measurement.
 //!
-//! `cargo bench --bench peers -- SCENE.toml [--model NAME] [--code FOLDER]` writes the scene's code into the folder, prints the
-//! reference, then answers `METHOD TOLERANCE` by the nanoseconds of a run (the median of several) and its last state, `METHOD in
-//! double-double TOLERANCE` by those of a run with twice the digits, and
-//! `setup`, `rates`, `jacobian`, `num-dual` by nanoseconds, `operations` by the sums and products of the right-hand side and of its
-//! Jacobian, circle points apart, `peak` by the most of them that this processor can in a nanosecond.
+//! `cargo bench --bench peers -- SCENE.toml [--model NAME] [--code FOLDER]` writes the scene's code into the folder and
+//! prints the reference solution. It then answers requests: `METHOD TOLERANCE` by the nanoseconds of a run (median of
+//! several) and its final state; `METHOD in double-double TOLERANCE` by those of a run in double-double arithmetic;
+//! `setup`, `rates`, `jacobian`, `num-dual` by nanoseconds; `operations` by the numbers of additions and
+//! multiplications in the right-hand side and in its Jacobian, not counting sine and cosine; `peak` by the largest
+//! number of these operations per nanosecond on this processor.
 
 use dalembert_derivations::studies::AnyScene;
 use field::{DoubleDouble, Over};
@@ -26,7 +28,7 @@ mod residual;
 
 const AXES: Axes = Axes::Second;
 const CALLS: u32 = 20_000;
-/// A run is repeated this often, or until this time has passed.
+/// The greatest number of repetitions of a run; fewer if a time limit is reached.
 const RUNS: usize = 25;
 const PATIENCE: Duration = Duration::from_millis(10);
 
@@ -61,7 +63,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let exact = reference(law, &span)?;
     let lifted: Vec<DoubleDouble> = problem.state.iter().map(|y| DoubleDouble::lift(*y)).collect();
     let finer = Span::new(0.0, problem.span, &lifted);
-    // for the other tools the time is a state
+    // for the other tools time is a component of the state
     let row = |state: &mut dyn Iterator<Item = f64>, time: f64| {
         let time = code.knows_time.then_some(time);
         state.chain(time).map(|y| format!("{y:?}")).collect::<Vec<_>>().join(" ")
@@ -98,7 +100,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The median time of some runs in nanoseconds, and their last state; none where they do not reach the end.
+/// The median time of several runs in nanoseconds, and their final state; empty if the runs do not reach the end.
 fn repeated<S: Real>(run: impl Fn() -> Outcome<S>) -> (u128, Vec<f64>) {
     let clocked = || {
         let begin = Instant::now();
@@ -116,7 +118,7 @@ fn repeated<S: Real>(run: impl Fn() -> Outcome<S>) -> (u128, Vec<f64>) {
     (times[times.len() / 2], state)
 }
 
-/// A gyrostat in the axes in which its law is shortest; a system that is written in its file.
+/// The problem of a scene: for a gyrostat in the axes in which its law is shortest, otherwise as written in the file.
 fn problem(scene: &AnyScene) -> Problem {
     match scene {
         AnyScene::Driven(driven) => driven.problem(AXES),
@@ -128,7 +130,7 @@ fn problem(scene: &AnyScene) -> Problem {
 struct Exported {
     rates: Tape,
     jacobian: Tape,
-    /// Whether the law depends on the time, which is then the last state.
+    /// Whether the law depends on time, which is then the last component of the state.
     knows_time: bool,
 }
 
@@ -166,7 +168,7 @@ impl Exported {
     }
 }
 
-/// Nanoseconds of one evaluation; each depends on the one before.
+/// Nanoseconds per evaluation; each evaluation depends on the one before.
 fn evaluations(law: &dyn System, start: &[f64], what: &str) -> Result<f64, String> {
     let n = start.len();
     let (mut y, mut rates, mut matrix) = (start.to_vec(), vec![0.0; n], vec![0.0; n * n]);

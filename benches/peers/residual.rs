@@ -1,12 +1,14 @@
-//! The equations of a model with constraints before anything is eliminated, as C for solvers of differential-algebraic equations.
+//! The equations of a model with constraints before any elimination, as C code for solvers of differential-algebraic
+//! equations.
 //!
-//! With coordinates q, speeds u, multipliers lambda, all constraints with the rows J, and those of positions with the rows J_g:
+//! Let q be the coordinates, u the speeds, lambda the multipliers, J the rows of all constraints, and J_g those of the
+//! position constraints:
 //!
 //!   index 1   q' - T u,               M u' + h - J^T lambda,   J u' + c
 //!   index 2   q' - T u - J_g^T mu,    M u' + h - J^T lambda,   rates of all constraints,   constraints of positions
 //!
-//! the second after Gear, Gupta and Leimkuhler. The inputs are the unknowns y, the time and y'; `slopes` gives the entries of dF/dy and
-//! dF/dy' that are not zero.
+//! The second form is that of Gear, Gupta and Leimkuhler. The inputs are the unknowns y, the time and y'; `slopes`
+//! returns the nonzero entries of dF/dy and dF/dy'.
 
 use field::{Over, Rational};
 use model::equations::{Equations, Level};
@@ -22,7 +24,7 @@ pub fn header(model: &Model) -> Option<String> {
     symbolic::apart(|| {
         let trace = Trace::of(model);
         let equations = Equations::of(&trace);
-        // a square system: rates of coordinates also describe freely rotating frames
+        // a square system: the rates of coordinates describe freely rotating frames too
         let index1 = Residual::index1(&trace, &equations);
         let mut text = format!("#define NQ {}\n#define NU {}\n", trace.coordinates.len(), trace.speeds.len());
         text += &index1.source(&trace, "index1").ok()?;
@@ -33,7 +35,7 @@ pub fn header(model: &Model) -> Option<String> {
     })
 }
 
-/// F(y, t, y').
+/// The function F(y, t, y').
 struct Residual {
     unknowns: Vec<Sym>,
     rates: Vec<Sym>,
@@ -74,7 +76,7 @@ impl Residual {
         Residual { unknowns, rates, is }
     }
 
-    /// The function and its derivatives, with the values of the parameters.
+    /// The C code of the function and its derivatives, with the values of the parameters.
     fn source(&self, trace: &Trace<'_>, name: &str) -> Result<String, Untapeable> {
         let inputs: Vec<Sym> = [&self.unknowns[..], &[trace.time], &self.rates].concat();
         let is = substitute_all(&self.is, &values(trace));
@@ -112,13 +114,13 @@ fn coordinate_rates(trace: &Trace<'_>) -> Vec<Sym> {
     (0..trace.coordinates.len()).map(|k| Sym::symbol(&format!("rate of coordinate {k}"))).collect()
 }
 
-/// q' - T u, less the terms of the multipliers mu.
+/// The residual q' - T u minus the terms of the multipliers mu.
 fn moved(trace: &Trace<'_>, pushed: &[Sym]) -> Vec<Sym> {
     let by_speeds = trace.position_rates.iter().zip(pushed);
     coordinate_rates(trace).into_iter().zip(by_speeds).map(|(rate, (&by, &push))| rate - by - push).collect()
 }
 
-/// M u' + h - J^T lambda.
+/// The residual M u' + h - J^T lambda.
 fn balance(trace: &Trace<'_>, equations: &Equations) -> Vec<Sym> {
     let inertia = equations.mass.iter().zip(&equations.bias).map(|(row, &h)| product(row, &trace.accelerations) + h);
     let reaction =

@@ -1,5 +1,5 @@
-//! The gyrostat's right-hand side as straight-line C: exported from the recorded law, and written by hand; compiled by
-//! `gcc -O3`, if available, for any processor of this kind or for this one (`-march=native`).
+//! The gyrostat's right-hand side as straight-line C code, exported from the recorded law and written by hand. It is
+//! compiled by `gcc -O3`, if available, for any processor of this architecture or for this processor (`-march=native`).
 
 use dalembert_derivations::machines::multi_current::Windings;
 use dalembert_derivations::systems::gyrostat::Gyrostat;
@@ -14,7 +14,8 @@ pub struct InC {
     pub jacobian: f64,
 }
 
-/// Times of the second form in C, for any processor or for this one; `None` without a compiler, or where the two codes disagree.
+/// The times of the second form in C; `native`: compiled for this processor. `None` without a compiler, or if the two
+/// codes disagree.
 pub fn in_c(
     native: bool,
     n: usize,

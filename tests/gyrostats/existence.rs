@@ -1,4 +1,5 @@
-//! Data of bodies that exist are accepted; each condition of existence, broken alone, is named with its value.
+//! Data of bodies that can exist are accepted; if a single condition of existence is violated, the error names it with
+//! its value.
 
 use crate::physical::{MassPoint, bodies, fixed, gyrostat, inertia, rounded, total_mass};
 use dalembert_derivations::systems::gyrostat::Gyrostat;
@@ -41,7 +42,8 @@ proptest! {
         prop_assert_eq!(rounded(&g).admissible(), Ok(()));
     }
 
-    /// Plates have J1 = J2 + J3, and single points zero inertia about one axis: equalities that rounding must not violate.
+    /// Plates have J1 = J2 + J3, and single points no inertia about one axis: rounding must not turn these equalities
+    /// into violations.
     #[test]
     fn plates_rods_and_single_points_are_accepted(bodies in bodies(), points in 1..7usize, flat in 0..3usize) {
         let mut g = bodies.gyrostat();
@@ -68,13 +70,13 @@ proptest! {
     #[test]
     fn a_centre_too_far_out_for_the_tensor_is_rejected(g in gyrostat(), direction in 0..3usize, excess in 0.01..1.0f64) {
         let mut g = rounded(&g);
-        // m c^2 above the whole of the integral of r^2 dm
+        // m c^2 greater than the whole integral of r^2 dm
         let whole = g.carrier.inertia.trace() / 2.0;
         g.carrier.centre = Vector3::ith(direction, ((1.0 + excess) * whole / g.carrier.mass).sqrt());
         broken!(&g, Inadmissible::Triangle { about: "its centre of mass", .. });
     }
 
-    /// A rod from O along the rotor's axis, with the rotor's centre on it: bodies that exist and have D = 0.
+    /// A rod from O along the rotor's axis, with the rotor's centre on it: bodies that can exist, but with D = 0.
     #[test]
     fn a_carrier_without_inertia_about_the_rotors_axis_is_rejected(g in gyrostat(), length in 0.1..2.0f64) {
         let mut g = rounded(&g);

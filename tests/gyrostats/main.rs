@@ -1,4 +1,4 @@
-//! Properties of every gyrostat, tested on random ones made of mass points.
+//! Properties that hold for every gyrostat, tested on random ones composed of mass points.
 
 mod existence;
 mod models;

@@ -1,4 +1,4 @@
-//! Scenes with a motor as models: bodies, a free frame and a drive have the accelerations of the law that runs.
+//! Scenes with a motor as models: bodies, a free frame and a drive give the same accelerations as the compiled law.
 
 use dalembert_derivations::studies::scene::Scene;
 use integrators::Ode;
@@ -22,7 +22,8 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     paths.into_iter().flat_map(of).collect()
 }
 
-/// Rates at the start: the carrier's angular acceleration along the axes of the data, the rotor's, the currents'.
+/// The rates at the start: the carrier's angular acceleration in the axes of the data, those of the rotor and of the
+/// currents.
 fn by_law(scene: &Scene) -> Vec<f64> {
     let problem = scene.problem(Axes::First);
     let mut rates = vec![0.0; problem.state.len()];

@@ -1,4 +1,4 @@
-//! The energies and momenta of the bodies are sums over their mass points, each moved by kinematics alone.
+//! The energies and momenta of the bodies are sums over their mass points, each of which is moved by kinematics only.
 
 use crate::physical::{Bodies, MassPoint, Vector, bodies, fixed, inertia, motion};
 use dalembert_derivations::systems::gyrostat::MotionInstant;
@@ -9,7 +9,7 @@ use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
 use proptest::prelude::*;
 
-/// A mass point with its place from O, its absolute velocity and its absolute acceleration.
+/// A mass point with its position relative to O, its absolute velocity and its absolute acceleration.
 struct Moving {
     mass: Rational,
     place: Vector,
@@ -17,7 +17,7 @@ struct Moving {
     acceleration: Vector,
 }
 
-/// A point's absolute velocity and acceleration, in axes that turn with w: a' = (relative rate of a) + w x a.
+/// A point's absolute velocity and acceleration, in axes that rotate at w: a' = (relative rate of a) + w x a.
 fn moving(
     point: MassPoint,
     centre: Vector,

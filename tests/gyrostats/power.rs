@@ -1,4 +1,4 @@
-//! Integrals and power balance of every machine of the catalogue.
+//! The integrals and the power balance of every machine in the catalogue.
 
 use crate::physical::machines::{Sample, every_machine, numbers, with_data};
 use crate::physical::rate::{Rate, rate};
@@ -12,37 +12,37 @@ use motor::{
 use nalgebra::Vector3;
 use proptest::prelude::*;
 
-/// Rates, torque and power of one machine at one state.
+/// The rates, torques and powers of one machine at one state.
 #[derive(Clone, Copy, Debug)]
 struct Instant {
-    /// d(v.v)/dt
+    /// The rate d(v.v)/dt.
     length: Rate,
-    /// d(x.v)/dt
+    /// The rate d(x.v)/dt.
     vertical_momentum: Rate,
-    /// dp/dt
+    /// The rate dp/dt.
     rotor_momentum: Rate,
-    /// dE/dt
+    /// The rate dE/dt.
     energy: Rate,
-    /// d(E - W p)/dt
+    /// The rate d(E - W p)/dt.
     jacobi: Rate,
-    /// M, N m
+    /// The torque M, N m.
     moment: f64,
-    /// m(g', phi'), N m
+    /// The torque law m(g', phi'), N m.
     law: f64,
-    /// m(0, W), N m
+    /// The torque law at synchronism, m(0, W), N m.
     law_at_synchronism: f64,
-    /// sum R_k i_k^2, W
+    /// The heat sum R_k i_k^2, W.
     heat: f64,
-    /// sum v_k i_k, W
+    /// The supplied power sum v_k i_k, W.
     supplied: f64,
-    /// sum c_k i_k, N m
+    /// The motional torque sum c_k i_k, N m.
     motional: f64,
-    /// whether the machine has a supply or windings that slide
+    /// Whether the machine has a supply or windings with sliding contacts.
     fed: bool,
     slip: f64,
-    /// W, rad/s
+    /// The angular velocity W of the frame, rad/s.
     frame_speed: f64,
-    /// the integrals that the machine declares
+    /// The integrals that the machine declares.
     conserved: Conserved,
 }
 
@@ -162,7 +162,7 @@ proptest! {
         in_both_forms(&g, &sample, with_data("multi_current", &data, 3), conserves_what_it_is_said_to)?;
     }
 
-    /// Sliding conductors change E - W p unless their frame rests, and so does a supply.
+    /// Sliding contacts change E - W p unless their frame is at rest, and so does a supply.
     #[test]
     fn a_motor_without_losses_keeps_its_energy_only_without_supply_and_turning_axes(
         g in gyrostat(), sample in numbers(), voltage in 0..2u8, field_speed in 0..2u8
@@ -175,7 +175,7 @@ proptest! {
         in_both_forms(&g, &sample, with_data("permanent_magnet", &magnets, 2), conserves_what_it_is_said_to)?;
     }
 
-    /// E - W p + c0 g with c0 = -m(0, W).
+    /// The function E - W p + c0 g with c0 = -m(0, W).
     #[test]
     fn the_falling_function_never_grows_unless_it_is_fed(g in gyrostat(), sample in numbers()) {
         always(&g, &sample, |now| {

@@ -1,4 +1,4 @@
-//! Independent principles give equal motions, which both forms of the equations have.
+//! Independent principles give the same motion, and both forms of the equations agree with it.
 
 use crate::physical::machines::numbers;
 use crate::physical::{fixed, gyrostat, motion, rounded, rounded_twice};
@@ -11,14 +11,15 @@ use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
 use proptest::prelude::*;
 
-/// Euler's angles with the sine of the nutation away from zero, and the rotor's angle; rates; accelerations.
+/// Euler's angles with the sine of the nutation angle away from zero, and the rotor's angle; their rates; their
+/// accelerations.
 fn orientation() -> impl Strategy<Value = [[DoubleDouble; 4]; 3]> {
     let rates = || [-3.0..3.0f64, -3.0..3.0, -3.0..3.0, -3.0..3.0];
     ([-3.0..3.0f64, 0.3..2.8, -3.0..3.0, -3.0..3.0], rates(), rates())
         .prop_map(|(angles, rates, accelerations)| [angles, rates, accelerations].map(|x| x.map(DoubleDouble::from)))
 }
 
-/// The motion in quasi-velocities.
+/// The motion in quasi-velocities, which refer to the body.
 fn seen_from_the_body([angles, rates, accelerations]: [[DoubleDouble; 4]; 3]) -> MotionInstant<DoubleDouble> {
     let three = |[a, b, c, _]: [DoubleDouble; 4]| [a, b, c];
     let forms = euler_forms(along(three(angles), three(rates)));
@@ -37,7 +38,7 @@ fn largest<S: Into<DoubleDouble>>(parts: impl IntoIterator<Item = S>) -> f64 {
     parts.into_iter().map(|x| x.into().hi().abs()).fold(0.0, f64::max)
 }
 
-/// The size of the terms of the equations, N m.
+/// The magnitude of the terms of the equations, N m.
 fn size(g: &Gyrostat<f64>, m: &MotionInstant<f64>) -> f64 {
     let speed = 1.0 + m.angular_velocity.norm() + m.rotor_speed.abs();
     let rates = m.angular_acceleration.norm() + m.rotor_acceleration.abs();
@@ -73,7 +74,7 @@ proptest! {
         let off = |other: [DoubleDouble; 4]| largest((0..4).map(|i| momentum[i] - other[i]));
         prop_assert!(off(g.by_appell(&motion)) <= allowed);
         prop_assert!(off(g.by_hamel(angles, &motion)) <= allowed, "{:e} {allowed:e}", off(g.by_hamel(angles, &motion)));
-        // in Lagrange's coordinates the torques are multiplied by the transpose of W, w = W q'
+        // in Lagrange's equations the torques are multiplied by the transpose of W, where w = W q'
         let lagrange = g.by_lagrange(angles, rates, accelerations, motion.torque);
         let forms: Matrix3<DoubleDouble> = euler_forms([angles[0], angles[1], angles[2]]);
         let seen = forms.transpose() * Vector3::new(momentum[0], momentum[1], momentum[2]);
@@ -115,7 +116,7 @@ proptest! {
     fn in_principal_axes_both_forms_satisfy_the_equations_exactly(
         masses in [1..9i64, 1..9, 1..9], arm in [1..9i64, 1..9, 1..9], motion in motion(), weight in motion()
     ) {
-        // a carrier of three pairs of points on the axes, a rotor along the first: A and A* are both diagonal
+        // a carrier of three pairs of points on the axes, and a rotor along the first axis: A and A* are both diagonal
         let g = exact(masses, arm, weight.vertical);
         let full = g.full_tensor();
         let second = SecondForm::new(full.diagonal(), g.rotor.axis, g.rotor.axial, g.weight());

@@ -1,4 +1,4 @@
-//! Steady rotations of random gyrostats by the polynomial of the gyrostat and by the search over boxes for text models.
+//! Steady rotations of random gyrostats: the polynomial of the gyrostat and the box search for text models agree.
 
 use crate::physical::gyrostat;
 use crate::physical::steady::compared;

@@ -1,10 +1,11 @@
-//! Modules that use each other in a circle: none in the content, and no more elsewhere than are known.
+//! Modules that depend on each other in a cycle: none in the crates with content, and elsewhere no more than are listed
+//! here.
 
 use crate::rules::{read, root, rust_files};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-/// Folders with the number of their modules that stand in circles; every other folder has none.
+/// Folders with the number of their modules that belong to cycles; in all other folders there is none.
 const KNOWN: &[(&str, usize)] = &[
     ("crates/commands/src", 25),
     ("crates/model/src", 11),
@@ -16,7 +17,7 @@ const KNOWN: &[(&str, usize)] = &[
 
 type Graph = BTreeMap<String, BTreeSet<String>>;
 
-/// The modules of a crate, each with those that it uses.
+/// The modules of a crate, each with the modules that it uses.
 fn graph(folder: &Path) -> Graph {
     let mut graph = Graph::new();
     for file in rust_files(folder) {
@@ -62,7 +63,7 @@ fn used(code: &str, depth: usize) -> Vec<String> {
     names
 }
 
-/// The modules from which a way leads back to themselves.
+/// The modules from which a path leads back to themselves.
 fn in_circles(graph: &Graph) -> Vec<&String> {
     let comes_back = |module: &&String| {
         let (mut open, mut seen) = (vec![*module], BTreeSet::new());

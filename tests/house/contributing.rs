@@ -1,9 +1,10 @@
-//! The instructions of CONTRIBUTING.md for a new motor are carried out in a copy of the project, in which the tests of all machines
-//! then run. The command `new motor` is tested in the copy too.
+//! The instructions of CONTRIBUTING.md for a new motor are carried out in a copy of the project, and the tests of all
+//! machines are then run there. The command `new motor` is tested in the copy too.
 //!
-//! A copy that cargo builds is needed, not an `include!` of the example, because the promise concerns the whole: one file, two
-//! lines, no other change. The copy keeps the times of the files and shares the folder of build products. Only
-//! the crate of the motors, under another version, and the crates that use it are built anew, in seconds.
+//! A copy that cargo builds is needed, not an `include!` of the example, because the instructions promise a complete
+//! result: one file, two lines, no other change. The copy preserves the modification times of the files and shares the
+//! folder of build products. Only the crate of the motors, with another version, and the crates that use it are
+//! rebuilt, which takes seconds.
 
 use claims::finding::PropertyVerdict;
 use dalembert_derivations::studies::conformance::conform;
@@ -14,7 +15,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// A block of code in a language, with the last file named before it.
+/// A block of code in a language, with the last file name before it.
 struct Block {
     language: String,
     path: String,
@@ -37,8 +38,8 @@ fn blocks(section: &str) -> Vec<Block> {
     blocks
 }
 
-/// A folder outside of the project that is deleted when the test ends. Its place is constant for a project: cargo
-/// then compiles only the differences the next time.
+/// A folder outside the project that is deleted when the test ends. Its path is always the same for one project, so
+/// that cargo recompiles only the differences.
 struct Copy(PathBuf);
 
 impl Copy {
@@ -57,7 +58,7 @@ impl Drop for Copy {
     }
 }
 
-/// Copies files with their times: cargo then finds nothing new in them.
+/// Copies files with their modification times, so that cargo does not rebuild them.
 fn copy(from: &Path, to: &Path) {
     if from.is_dir() {
         fs::create_dir_all(to).expect("a folder can be made");
@@ -79,7 +80,8 @@ fn listed(text: &str, line: &str) -> String {
     format!("{before}\n{}{end}{after}", line.trim_end())
 }
 
-/// The manifest with another version, which separates the copy's build products from the project's; other crates accept it.
+/// The manifest with another version, which separates the copy's build products from those of the project; other crates
+/// accept it.
 fn with_own_version(manifest: &str) -> String {
     manifest.replacen("version.workspace = true", concat!("version = \"", env!("CARGO_PKG_VERSION"), "+copy\""), 1)
 }
@@ -98,11 +100,11 @@ fn motors() -> Vec<Block> {
     blocks(text.split("\n## ").find(|section| section.starts_with("Add a motor")).expect("it adds a motor"))
 }
 
-/// Runs `dalembert new motor` for a folder that is a project.
+/// Runs `dalembert new motor` with a folder that contains a project.
 fn begin(root: &Path, name: &str, project: &Path) {
     let output = Command::new(env!("CARGO"))
         .current_dir(root)
-        // no package is selected: the program is that of the workspace, which other tests have built
+        // no package is selected, so that the program is that of the workspace, which other tests have built
         .args(["run", "--offline", "--quiet", "--bin", "dalembert", "--", "new", "motor", name, "--project"])
         .arg(project)
         .output()
@@ -132,7 +134,7 @@ fn the_motor_of_the_documentation_and_a_new_one_can_be_added_as_it_says() {
     begin(root, "begun_here", &scratch.0);
     let name = Path::new(&blocks[0].path).file_stem().and_then(|name| name.to_str()).expect("the motor has a name");
     let products = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().expect("it lies in the folder of products");
-    // built once and run for seconds: crates that do not use the motors stay optimised
+    // these crates are built once and run for seconds: without optimisation; the others stay optimised
     let plain = ["machines", "papers", "theorems", "derivations"]
         .map(|name| ["--config".to_owned(), format!("profile.dev.package.dalembert-{name}.opt-level=0")]);
     let output = Command::new(env!("CARGO"))

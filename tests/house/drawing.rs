@@ -1,16 +1,16 @@
-//! The drawing of the crates by layers, in ARCHITECTURE.md, made of the workspace's manifests.
+//! The figure of the crates by layers in ARCHITECTURE.md, generated from the workspace's manifests.
 
 use super::rules::{layer, packages, read, root};
 use std::fmt::Write;
 
-/// Sizes in pixels: of the whole, of a box with its margin, of a line.
+/// Sizes in pixels: the whole figure, a box with its margin, a line of text.
 const WIDTH: usize = 1080;
 const LEFT: usize = 70;
 const COLUMNS: usize = 4;
 const BOX: (usize, usize) = (246, 82);
 const MARGIN: usize = 6;
 const LINE: usize = 14;
-/// Characters of a line in a box, and lines below its name.
+/// The characters per line in a box, and the lines below its name.
 const LETTERS: usize = 35;
 const LINES: usize = 4;
 
@@ -40,7 +40,7 @@ fn crates() -> Vec<Crate> {
     crates
 }
 
-/// Lines of at most so many characters.
+/// The text in lines of at most this number of characters.
 fn wrapped(text: &str) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
@@ -56,7 +56,7 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-/// The picture: a row for each layer, the highest above.
+/// The figure: one row for each layer, the highest layer on top.
 fn drawing(crates: &[Crate]) -> String {
     let (mut body, mut top) = (String::new(), MARGIN);
     for row in crates.chunk_by(|a, b| a.layer == b.layer) {

@@ -1,14 +1,15 @@
-//! A package alone is built with the features that it has in the workspace: `cargo test -p` builds nothing anew below it.
+//! A package built alone has the same features as in the workspace, so that `cargo test -p` does not rebuild its
+//! dependencies.
 
 use crate::rules::{packages, root};
 use std::collections::BTreeSet;
 use std::process::Command;
 
-/// Each crate with its version and features, as cargo resolves them for a selection of packages.
+/// Each crate with its version and features, as resolved by cargo for a selection of packages.
 fn resolved(selection: &[&str]) -> BTreeSet<String> {
     let output = Command::new(env!("CARGO"))
         .current_dir(root())
-        // a cargo that unites features over the workspace by itself has nothing to show
+        // if cargo unifies features over the workspace by itself, the test would pass trivially
         .env_remove("CARGO_RESOLVER_FEATURE_UNIFICATION")
         .args(["tree", "--offline", "--edges", "normal,build,dev", "--prefix", "none", "--no-dedupe"])
         .args(["--format", "{p} [{f}]"])
@@ -28,7 +29,7 @@ fn a_package_alone_has_the_features_of_the_workspace() {
     let workspace = resolved(&["--workspace"]);
     for package in packages() {
         let name = package["name"].as_str().expect("a package has a name");
-        // below it lies nothing of ours
+        // it has no dependencies in this project
         if name == "dalembert-features" {
             continue;
         }

@@ -1,11 +1,11 @@
-//! The licences of all dependencies: each can be used under one that goes with MIT and Apache-2.0.
+//! The licences of all dependencies: each dependency can be used under a licence compatible with MIT and Apache-2.0.
 
 use serde_json::Value;
 use spdx::{Expression, Licensee, ParseMode};
 use std::collections::BTreeSet;
 use std::process::Command;
 
-/// Licences that require no more than their text with a copy.
+/// Licences that require only that their text accompanies a copy.
 const ACCEPTED: [&str; 9] = [
     "MIT",
     "Apache-2.0",
@@ -18,7 +18,7 @@ const ACCEPTED: [&str; 9] = [
     "Zlib",
 ];
 
-/// Name and licence of every package that the workspace is built of, on this kind of machine.
+/// Name and licence of every package that the workspace is built from on this platform.
 fn dependencies() -> Vec<(String, Option<String>)> {
     let root = env!("CARGO_MANIFEST_DIR");
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());

@@ -1,4 +1,4 @@
-//! Every link between documents leads to a file, and to a heading of it where it names one.
+//! Every link between documents leads to an existing file, and to an existing heading if it names one.
 
 use super::rules::root;
 use std::collections::HashMap;
@@ -13,7 +13,7 @@ fn documents() -> Vec<PathBuf> {
     chapters.filter(|path| path.extension().is_some_and(|end| end == "md")).chain(of_the_root).collect()
 }
 
-/// A document with what it includes.
+/// A document with the files it includes.
 fn read(path: &Path) -> String {
     let text = fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     match text.trim().strip_prefix("{{#include ").and_then(|rest| rest.strip_suffix("}}")) {
@@ -22,7 +22,7 @@ fn read(path: &Path) -> String {
     }
 }
 
-/// The lines of a document outside its blocks of code.
+/// The lines of a document outside code blocks.
 fn prose(text: &str) -> impl Iterator<Item = &str> {
     let mut inside = false;
     text.lines().filter(move |line| {
@@ -32,14 +32,14 @@ fn prose(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// The anchors of a document's headings, as Markdown makes them.
+/// The anchors of a document's headings, as Markdown generates them.
 fn anchors(text: &str) -> Vec<String> {
     let headings = prose(text).filter(|line| line.starts_with('#')).map(|line| line.trim_start_matches('#').trim());
     let kept = |letter: &char| letter.is_alphanumeric() || matches!(letter, ' ' | '-' | '_');
     headings.map(|heading| heading.chars().filter(kept).collect::<String>().to_lowercase().replace(' ', "-")).collect()
 }
 
-/// The targets of a document's links, in parentheses behind brackets.
+/// The targets of a document's links: the text in parentheses after brackets.
 fn links(text: &str) -> Vec<String> {
     let of_line = |line: &str| {
         let targets = line.split("](").skip(1).filter_map(|rest| rest.split(')').next());

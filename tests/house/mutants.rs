@@ -1,4 +1,5 @@
-//! Consistency of the list of mutants: each can be applied, and the reviewed table of their detection belongs to this list.
+//! Consistency of the list of mutants: each of them can be applied, and the reviewed table of detections corresponds to
+//! the list.
 //!
 //! The run itself takes minutes: `tests/mutants/run.py`.
 
@@ -8,13 +9,13 @@ use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// A mutant: a law changed in one place.
+/// A mutant: a law with one change.
 struct Mutant {
     file: String,
     name: String,
     old: String,
     new: String,
-    /// the reason for which no test can detect it
+    /// The reason why no test can detect it.
     equivalent: Option<String>,
 }
 
@@ -22,7 +23,7 @@ struct Mutant {
 struct Row<'a> {
     file: &'a str,
     name: &'a str,
-    /// the numbers of claims and of tests that detect the mutant, and one of them; or another outcome
+    /// The numbers of claims and of tests that detect the mutant, and one of them; or another outcome.
     cells: Vec<&'a str>,
 }
 
@@ -90,7 +91,7 @@ fn every_mutant_breaks_one_place() {
     }
 }
 
-/// The page of a mutant: that of its crate, of its study, or of its folder in a crate with many mutants.
+/// The page of a mutant: that of its crate, of its study, or, in a crate with many mutants, of its folder.
 fn page_of(mutant: &Mutant) -> String {
     let parts: Vec<&str> = mutant.file.split('/').collect();
     match parts[..] {

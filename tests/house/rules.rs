@@ -1,11 +1,12 @@
-//! The rules of the repository: layers of crates, reasons for dependencies, machinery independent of content, and others.
+//! The rules of the repository: layers of crates, reasons for dependencies, independence of the machinery from the
+//! content, and others.
 
 use serde_json::Value;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The layers from the lowest: a crate uses crates of lower layers only.
+/// The layers from the lowest to the highest; a crate may use crates of lower layers only.
 const LAYERS: &[(&str, i32)] = &[
     ("dalembert-features", -1),
     ("dalembert-field", 0),
@@ -68,7 +69,7 @@ fn every_dependency_has_its_reason() {
     for line in list.map(str::trim).filter(|line| !line.is_empty()) {
         let ours = line.contains("path =");
         assert!(reason || ours || line.starts_with('#'), "no reason stands before `{line}`");
-        // a family of crates may share one reason
+        // several crates of one family may share a reason
         reason = line.starts_with('#') || (reason && line.split(['-', '_', ' ']).next() == Some("dashu"));
         reason |= line.starts_with("serde ");
     }
@@ -127,7 +128,7 @@ fn unsafe_code_stands_in_one_place() {
 #[test]
 fn the_program_writes_files_whole() {
     let folder = root().join("crates/commands/src");
-    // the first writes files whole, pipes and devices are opened by the second, the table of the third grows by whole rows
+    // the first file writes whole files, the second opens pipes and devices, the third appends whole rows to a table
     let own = ["atomic_write.rs", "output/place.rs", "ensemble/table.rs"].map(|name| folder.join(name));
     let tested = |file: &Path| file.ends_with("tests.rs");
     for file in rust_files(&folder).filter(|file| !own.contains(file) && !tested(file)) {
@@ -142,14 +143,14 @@ fn the_architecture_names_places_that_exist() {
     let text = read(&root().join("ARCHITECTURE.md"));
     let roots = ["crates/", "derivations/", "tests/", "scenes/", "snapshots/", "book/", "benches/"];
     let named = text.split('`').skip(1).step_by(2).filter(|place| roots.iter().any(|root| place.starts_with(root)));
-    // capitals stand for any name, stars for several
+    // capitals stand for any name, asterisks for several names
     let of_one =
         named.filter(|place| !place.contains(['*', ' ']) && !place.contains("NAME") && !place.contains("PAPER"));
     let missing: Vec<String> = of_one.flat_map(spelt_out).filter(|place| !root().join(place).exists()).collect();
     assert!(missing.is_empty(), "ARCHITECTURE.md names {missing:?}, which do not exist");
 }
 
-/// The places that `a/{b,c}.rs` stands for.
+/// The paths that `a/{b,c}.rs` abbreviates.
 fn spelt_out(place: &str) -> Vec<String> {
     let parts = place.split_once('{').and_then(|(before, rest)| Some((before, rest.split_once('}')?)));
     let Some((before, (choices, after))) = parts else { return vec![place.to_owned()] };

@@ -54,22 +54,22 @@ fn time_and_nonlinearity_are_seen() {
     );
 }
 
-/// Pairs of constraints on four coordinates, each with its class by theory.
+/// Pairs of constraints on four coordinates; theory gives the class of each.
 #[derive(Clone, Copy, Debug)]
 enum Pair {
-    /// d(x y) = 0 and d(z + x y + t^2) = 0
+    /// d(x y) = 0 and d(z + x y + t^2) = 0: both integrable.
     Integrable,
-    /// dz = y dx and dw = z dx (Engel): the second is out of reach of single brackets
+    /// dz = y dx and dw = z dx (Engel): the second one cannot be classified with single brackets.
     Engel,
-    /// dz = y dx and dw = dt: one of each kind
+    /// dz = y dx and dw = dt: one nonintegrable, one integrable.
     Mixed,
-    /// x y = 1 and its rate
+    /// x y = 1 and its time derivative.
     Repeated,
-    /// x = t and x = 0
+    /// x = t and x = 0.
     Contradictory,
-    /// dz = y dt: no forms of dx and dy in it, and not integrable
+    /// dz = y dt: it contains no dx and dy, and is not integrable.
     Driven,
-    /// dz = t dx: integrable at each instant, not in space and time
+    /// dz = t dx: integrable at each fixed instant, but not in space and time.
     Growing,
 }
 

@@ -1,5 +1,6 @@
-//! The counterexamples of the ledger's refutations, checked independently of the paper: each is a pair of admissible bodies,
-//! and the theorem of angular momentum for their mass points decides whether they rotate about the vertical.
+//! The counterexamples to refuted claims of the ledger, checked independently of the paper: each is a gyrostat whose
+//! bodies can exist, and the theorem of angular momentum for the mass points decides whether it rotates about the
+//! vertical.
 
 use crate::physical::{MassPoint, inertia, rounded, total_mass};
 use dalembert_derivations::papers::konosevich2022::gyrostats::{self, Example};
@@ -10,7 +11,7 @@ use num_traits::Zero;
 
 type Vector = Vector3<Rational>;
 
-/// The coefficients of the residual torques w0^2 G + w0 u + n, from three values.
+/// The coefficients of the residual torque w0^2 G + w0 u + n, from three values.
 fn coefficients(example: &Example) -> [Vector; 3] {
     let at = |w0: i64| example.residual_torques(Rational::int(w0));
     let (rest, plus, minus) = (at(0), at(1), at(-1));
@@ -18,7 +19,8 @@ fn coefficients(example: &Example) -> [Vector; 3] {
     [(plus + minus) * half - rest, (plus - minus) * half, rest]
 }
 
-/// Whether the rotation with the example's own angular velocity is a motion, by the theorem of momentum and by Appell's equations.
+/// Whether the rotation with the example's own angular velocity is a motion, by the theorem of angular momentum and by
+/// Appell's equations.
 fn is_motion(example: &Example) -> bool {
     let w0 = example.angular_velocity.expect("the example has an angular velocity");
     let motion = example.rotation(w0);
@@ -79,8 +81,8 @@ fn by_two_of_three_relations_the_third_moment_alone_is_missing() {
     assert!(missing.x.is_zero() && missing.y.is_zero() && !missing.z.is_zero(), "{missing}");
 }
 
-/// In these examples the vertical is a principal direction, and w0^2 has no coefficient: w0 u + n = 0 with w0 != 0
-/// needs n parallel to u, and u = 0 where n = 0.
+/// In these examples the vertical is a principal direction, and the coefficient of w0^2 is zero: w0 u + n = 0 with w0
+/// != 0 requires that n is parallel to u, and u = 0 if n = 0.
 #[test]
 fn where_no_angular_velocity_is_named_none_but_zero_makes_a_motion() {
     let examples: Vec<Example> = gyrostats::all().into_iter().filter(|e| e.angular_velocity.is_none()).collect();
@@ -93,7 +95,7 @@ fn where_no_angular_velocity_is_named_none_but_zero_makes_a_motion() {
     }
 }
 
-/// Simpson's rule is exact for the moments of a uniform rod: three mass points have equal moments.
+/// Simpson's rule is exact for the moments of a uniform rod: three mass points have the same moments of mass.
 #[test]
 fn the_rod_of_section_5_has_d_zero_from_its_masses() {
     let rod = gyrostats::rod();

@@ -1,4 +1,5 @@
-//! A scene's right-hand side and Jacobian, printed as C, Python and Rust, compiled and run, agree with the law to round-off.
+//! A scene's right-hand side and Jacobian, printed as C, Python and Rust, compiled and run, agree with the law up to
+//! rounding.
 
 use dalembert_derivations::studies::scene::Scene;
 use integrators::{Dual8, Jacobian, Ode};
@@ -9,7 +10,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use symbolic::Language;
 
-/// The expected values of the printed functions at the start of the scene: the rates, then the Jacobian by dual numbers.
+/// The expected values of the printed functions at the initial state of the scene: the rates, then the Jacobian by dual
+/// numbers.
 struct Expected {
     state: Vec<f64>,
     values: Vec<f64>,
@@ -31,7 +33,7 @@ fn expected(scene: &Scene, axes: Axes) -> Expected {
     Expected { state: problem.state, values }
 }
 
-/// Source of the rates and of their Jacobian in a language.
+/// The source code of the rates and of their Jacobian in a language.
 fn printed(scene: &Scene, axes: Axes, language: Language) -> String {
     let (rates, jacobian) = (scene.tape(axes), scene.jacobian_tape(axes));
     let (Ok(rates), Ok(jacobian)) = (rates, jacobian) else { panic!("the law has a tape") };
@@ -42,7 +44,7 @@ fn agree(expected: &Expected, output: &str, what: &str) {
     let found: Vec<f64> = output.split_whitespace().map(|word| word.parse().expect("a number")).collect();
     assert_eq!(found.len(), expected.values.len(), "{what}");
     for (place, (found, value)) in found.iter().zip(&expected.values).enumerate() {
-        // a row's terms cancel: round-off is that of the largest
+        // terms of a row may cancel: the rounding error is relative to the largest one
         let size = expected.values.iter().fold(1.0, |most: f64, value| most.max(value.abs()));
         assert!((found - value).abs() <= 1e-14 * size + 1e-12 * value.abs(), "{what}, {place}: {found} for {value}");
     }

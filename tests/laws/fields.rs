@@ -1,5 +1,5 @@
-//! Every field of the workbench obeys the laws of a field and of the circle: exactly where it is exact, otherwise to a
-//! few units of its own rounding.
+//! Every scalar type satisfies the axioms of a field and the identities of the circle: exactly if it is exact,
+//! otherwise up to a few units of its rounding.
 
 use field::laws::{analytic_laws, circle_laws, field_laws};
 use field::{Analytic, Batch, Circle, DoubleDouble, Over, Rational, Scalar, Tangent};
@@ -13,15 +13,15 @@ fn fixed(cases: u32) -> ProptestConfig {
     ProptestConfig { cases, rng_seed: RngSeed::Fixed(1743), failure_persistence: None, ..ProptestConfig::default() }
 }
 
-/// A field whose numbers are rounded, with up to four derivatives.
+/// A scalar type with rounding, with up to four derivatives.
 trait Rounded: Scalar {
-    /// The distance from 1 to the next number.
+    /// The distance from 1 to the next larger number.
     const EPSILON: f64 = f64::EPSILON;
 
-    /// A number from a value and derivatives (or low digits).
+    /// A number from a value and derivatives (or low-order digits).
     fn from_parts(parts: [f64; 5]) -> Self;
 
-    /// The largest component.
+    /// The absolute value of the largest component.
     fn size(self) -> f64;
 }
 
@@ -51,7 +51,7 @@ impl Rounded for DoubleDouble {
 
 impl<const FUSED: bool> Rounded for Batch<5, FUSED> {
     fn from_parts(parts: [f64; 5]) -> Self {
-        // away from zero, as the values of the others are
+        // away from zero, like the values of the other types
         Batch(parts.map(|part| part + 1.0_f64.copysign(part)))
     }
     fn size(self) -> f64 {
@@ -108,15 +108,15 @@ impl<S: Rounded> Rounded for Tangent<S> {
     }
 }
 
-/// A value between 1 and 2 in size, and derivatives up to 1.
+/// A value of absolute value between 1 and 2, and derivatives of absolute value up to 1.
 fn number() -> impl Strategy<Value = [f64; 5]> {
     let d = || -1.0..1.0f64;
     ([d(), d(), d(), d()], 1.0..2.0f64, any::<bool>())
         .prop_map(|([d, e, de, f], size, negative)| [if negative { -size } else { size }, d, e, de, f])
 }
 
-/// For such numbers no intermediate term exceeds 2^9, second derivatives included: 2^12 units are a few roundings of
-/// the largest.
+/// For such numbers no intermediate term exceeds 2^9, second derivatives included. Hence 2^12 units correspond to a few
+/// roundings of the largest term.
 fn agree<S: Rounded>(laws: Vec<(&str, S, S)>) -> Result<(), TestCaseError> {
     for (law, left, right) in laws {
         let off = (left - right).size() / S::EPSILON;
@@ -157,7 +157,8 @@ to_rounding! {
     tangents_of_double_double_are_a_field_to_its_rounding: Tangent<DoubleDouble>;
 }
 
-/// Fractions that stay in machine integers, and some that do not: up to four digits of the size 2^62 above and below.
+/// Fractions that fit into machine integers, and some that do not: up to four digits of magnitude 2^62 in numerator and
+/// denominator.
 fn rational() -> impl Strategy<Value = Rational> {
     let small = (-60..60i64, 1..60i64).prop_map(|(n, d)| Rational::new(n, d));
     let digits = || prop::collection::vec(1 << 61..i64::MAX, 0..4);
@@ -258,7 +259,7 @@ fn exact_parts_of_a_turn_are_the_parts_of_a_turn() {
     assert_eq!(Circle::<f64>::exact_turn(1, 0), None);
 }
 
-/// The laws of the circle do not determine the derivative of a point by its angle.
+/// The identities of the circle do not determine the derivative of a point with respect to its angle.
 #[test]
 fn a_point_turns_at_the_rate_of_its_angle() {
     let angle = Tangent::moving(0.7, 3.0).circle();
@@ -266,7 +267,7 @@ fn a_point_turns_at_the_rate_of_its_angle() {
     assert!((angle.sin.slope - 3.0 * 0.7f64.cos()).abs() < 1e-15);
 }
 
-/// A law of one varied angle with constant data, by every operation, each with the operands in both orders.
+/// Functions of one variable angle with constant data, for every operation, each with the operands in both orders.
 fn of_one_angle<T: Over<Rational>>(angle: Circle<T>, [p, q]: [Rational; 2]) -> Vec<T> {
     let (Circle { cos, sin }, [p, q], four) = (angle, [p, q].map(T::lift), T::int(4));
     let rest = [p + q, p - q, p * q, p / four, -p, T::zero(), T::one(), p.and_product(p, q), p % four];
@@ -288,7 +289,7 @@ proptest! {
     }
 }
 
-/// Compared with double-double, also near quarter turns, where cancellation is strong.
+/// Comparison with double-double, also near multiples of a quarter turn, where cancellation is strong.
 #[test]
 fn cosine_and_sine_are_off_by_less_than_a_unit_of_the_last_place() {
     let many = (-4000..4000).map(|n| f64::from(n) * 0.39 + 1e-9 * f64::from(n * n));
@@ -309,7 +310,7 @@ fn cosine_and_sine_are_off_by_less_than_a_unit_of_the_last_place() {
     }
 }
 
-/// The laws of the circle would hold for any other unit of angle too.
+/// The identities of the circle would also hold for another unit of angle.
 #[test]
 fn every_lane_has_its_own_angle_be_it_near_far_or_undefined() {
     let near = (-4000..4000).map(|n| f64::from(n) * 0.39 + 1e-9 * f64::from(n * n));

@@ -1,4 +1,4 @@
-//! The torques that conserve given integrals of a top of variable mass: at random exact data, and at the singularity.
+//! The torques that conserve given integrals of a top of variable mass: for random exact data, and at the singularity.
 
 use dalembert_derivations::systems::variable_top::{Attitude, StationaryInclination, Top, poisson, prescribing, rates};
 use field::{Over, Rational, Tangent};
@@ -108,7 +108,8 @@ fn attitude<S: field::Scalar>(y: &[S]) -> Attitude<S> {
     Attitude { spin: Vector3::new(y[0], y[1], y[2]), vertical: Vector3::new(y[3], y[4], y[5]) }
 }
 
-/// The deviations of the axis from the vertical, and of the energy integral from its first value, after a push of 1e-6.
+/// The deviation of the axis from the vertical, and of the energy integral from its initial value, after a perturbation
+/// of 1e-6.
 fn pushed(static_moment: f64) -> [f64; 2] {
     let top = Top { equatorial: 2.0, axial: 1.0, static_moment, gyroscope: 0.0, gravity: 1.0, tide: 1.0 };
     let energy = move |_: f64, y: &[f64]| top.integrals(&attitude(y), 1.0).energy;
@@ -119,7 +120,7 @@ fn pushed(static_moment: f64) -> [f64; 2] {
     [run.deviations[0].largest, run.deviations[1].largest]
 }
 
-/// (C r_0 + nu)^2 - 4A (M g z_c - k (A - C)) is 1 and -7 for k = 1; with the k = 3 of the text it is 17 and 9.
+/// (C r_0 + nu)^2 - 4A (M g z_c - k (A - C)) is 1 and -7 for k = 1; with the factor k = 3 of the text it is 17 and 9.
 #[test]
 fn the_axis_stays_upright_where_the_discriminant_is_positive_and_falls_where_only_the_printed_one_is() {
     let ([upright, kept], [fallen, also_kept]) = (pushed(1.0), pushed(2.0));

@@ -1,5 +1,5 @@
-//! The Jacobian that the implicit methods use, machine code of the laws differentiated exactly, is that of dual numbers: for
-//! every machine and form, and for every mechanism, away from the start.
+//! The Jacobian used by the implicit methods is machine code from exact differentiation of the laws. It agrees with
+//! that of dual numbers for every machine and form, and for every mechanism, at states other than the initial one.
 
 use crate::physical::machines::with_bars;
 use crate::physical::rounded;
@@ -14,8 +14,8 @@ use simulation::{Axes, CompiledLaw, SymbolicLaw};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Whether the system has its own Jacobian, after comparing it with that of a law at a few states, to `allowed` relative to the
-/// largest entry.
+/// Whether the system has its own Jacobian; if so, it is compared with that of a law at a few states, with the
+/// tolerance `allowed` relative to the largest entry.
 fn compared(
     system: &dyn System,
     law: &dyn Ode<Dual8>,
@@ -62,11 +62,11 @@ fn the_jacobian_of_a_machine_is_that_of_dual_numbers() {
             }
         }
     }
-    // otherwise nothing was compared
+    // otherwise nothing would have been compared
     assert!(with.contains(&"synchronous") && with.contains(&"multi_current"), "{with:?}");
 }
 
-/// Whether a scene's law has its own Jacobian, after comparing it with dual numbers near the start.
+/// Whether a scene's law has its own Jacobian; if so, it is compared with dual numbers near the initial state.
 fn is_that_of_dual_numbers(name: &str, allowed: f64) -> bool {
     scenes::register(|_| ());
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name).with_extension("toml");
@@ -91,7 +91,7 @@ fn the_jacobian_of_a_mechanism_is_that_of_dual_numbers_and_so_are_its_slopes_in_
 
 #[test]
 fn the_jacobian_of_a_long_law_is_that_of_dual_numbers_and_so_are_its_slopes_in_time() {
-    // by the tree of bodies, and by the mass matrix with a drive
+    // by the recursion over the tree of bodies, and by the mass matrix with a drive
     for name in ["foreign/andrews_mechanism", "foreign/bicycle", "foreign/flexible_slider_crank", "foreign/five_links"]
     {
         assert!(is_that_of_dual_numbers(name, 1e-12), "{name}");

@@ -1,4 +1,4 @@
-//! Laws and principles: fields, derivatives, constraints, counterexamples, regimes of contacts.
+//! Laws and principles: scalar types, derivatives, constraints, counterexamples, contact regimes.
 
 mod classification;
 mod counterexamples;

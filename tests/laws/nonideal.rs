@@ -1,5 +1,5 @@
-//! The counterexamples on rods and ladders with friction, checked independently of the paper:
-//! Lagrange's equations of the first kind of the systems with numerical data, the contact's reactions as forces.
+//! The counterexamples about rods and ladders with friction, checked independently of the paper: by Lagrange's
+//! equations of the first kind with numerical data, where the contact reactions are given forces.
 
 use dalembert_derivations::systems::ladder::{Ladder, LeaningLadder};
 use dalembert_derivations::systems::rod::Rod;
@@ -17,7 +17,8 @@ fn int(n: i64) -> Rational {
     Rational::int(n)
 }
 
-/// The rod of (1.22), which slides without rotation, cos theta = 3/5, sin theta = 4/5, under the guide's reactions.
+/// The rod of (1.22), which slides without rotation, cos theta = 3/5, sin theta = 4/5, under the reactions of the
+/// guide.
 fn rod_under([rx, ry]: [Rational; 2]) -> [Rational; 4] {
     let one = int(1);
     let rod = Rod { guided: one, free: one, length: one, gravity: one, friction: ratio(1, 2), sides: Sides::One };
@@ -29,7 +30,7 @@ fn rod_under([rx, ry]: [Rational; 2]) -> [Rational; 4] {
     acceleration
 }
 
-/// R_x and R_y by mu and lambda, (1.42).
+/// R_x and R_y as functions of mu and lambda, (1.42).
 fn guide(mu: Rational) -> [Rational; 2] {
     [ratio(34, 25) * mu, ratio(-25, 17) + ratio(12, 25) * mu]
 }
@@ -54,7 +55,7 @@ fn the_printed_friction_keeps_the_rod_on_the_floor_and_pushes_it_along() {
 
 #[test]
 fn neither_sign_of_the_law_lets_the_heavy_rod_slide_forward() {
-    // m1 = 100 m, f = 1: R_y by lambda for R_x = f R_y and for R_x = -f R_y
+    // m1 = 100 m, f = 1: R_y as a function of lambda for R_x = f R_y and for R_x = -f R_y
     let (lambda, mobile, coupling) = (ratio(-101, 37), int(37), int(48));
     let at = |way: i64| lambda * mobile / (mobile - int(way) * coupling);
     assert_eq!(at(1).sign(), Some(1), "the floor would have to pull");
@@ -81,7 +82,7 @@ fn the_smooth_ladder_leaves_the_wall_at_two_thirds_of_its_first_cosine() {
         let Reaction { multipliers: [_, wall, _], .. } = multipliers(&ladder, &at, weight).expect("it leans");
         wall
     };
-    // from rest at cos = 9/10: alpha'^2 = 3g/2l (9/10 - cos) is 9/4 at cos = 3/5
+    // released from rest at cos = 9/10: alpha'^2 = 3g/2l (9/10 - cos) is 9/4 at cos = 3/5
     assert_eq!(push_of_wall([ratio(3, 5), ratio(4, 5)], ratio(3, 2)), int(0));
     assert_eq!(push_of_wall([ratio(4, 5), ratio(3, 5)], int(0)).sign(), Some(1), "at rest the wall pushes");
 }
@@ -100,7 +101,7 @@ fn the_guide_of_the_steered_rod_pulls_where_the_far_mass_is_the_heavier() {
     let rod: GuidedSteeredRod<Rational> = Closed(data);
     let at = State { time: int(0), place: [int(0), int(0), int(1), int(0)], velocity: [int(0); 4] };
     let given: [Rational; 4] = rod.force(&at);
-    // friction at rest balances X: mu = -X / (m1 + m2) at both points, along the guide
+    // at rest friction balances X: mu = -X / (m1 + m2) at both points, along the guide
     let mu = ratio(1, 3);
     let force = [given[0] + mu, given[1], given[2] + int(2) * mu, given[3]];
     let Reaction { acceleration, multipliers: [_, _, gap] } = multipliers(&rod, &at, force).expect("it is guided");

@@ -1,4 +1,4 @@
-//! One law over many fields: as an expression it has the values of the law that runs, and three methods of
+//! One law over many scalar types: as an expression it has the same values as the compiled law, and three methods of
 //! differentiation agree.
 
 use crate::physical::fixed;
@@ -32,7 +32,7 @@ impl<P, I: Iterator<Item = P>> Given<I> {
     }
 }
 
-/// The laws that run, each with a name: of the bodies, of both forms, of a motor with three bars.
+/// The laws used in integrations, each with a name: those of the bodies, of both forms, of a motor with three bars.
 fn laws<P: Base, S: Over<P> + Analytic>(parameters: &[P], variables: &[S]) -> Vec<(&'static str, S)> {
     let mut p = Given(parameters.iter().copied());
     let mut x = Given(variables.iter().copied());
@@ -100,13 +100,14 @@ fn value(expression: Sym, parameters: &[f64], variables: &[f64]) -> f64 {
     expression.evaluate_analytic(&number).expect("every symbol has a value")
 }
 
-/// Equality up to rounding. The laws are sums of a few dozen products of up to six numbers below 2, over numbers above
-/// 1/4: intermediate terms stay below 2^12.
+/// Whether two numbers are equal up to rounding. The laws are sums of a few dozen products of up to six numbers below
+/// 2, divided by numbers above 1/4: intermediate terms are below 2^12.
 fn close(a: f64, b: f64) -> bool {
     (a - b).abs() <= 4096.0 * 64.0 * f64::EPSILON
 }
 
-/// The bodies' data are below 1/2, the forms' moments of inertia and all further data above 1: no form comes near D = 0.
+/// The bodies' data are below 1/2, the forms' moments of inertia and all other data above 1, so that no form comes near
+/// D = 0.
 fn parameters() -> impl Strategy<Value = Vec<f64>> {
     prop::collection::vec(0.25..0.5f64, PARAMETERS).prop_map(|mut p| {
         p[18..].iter_mut().for_each(|p| *p *= 4.0);

@@ -1,4 +1,5 @@
-//! Tests of the principles beyond their proofs: larger systems at random exact data, and the proved laws in floats.
+//! Tests of the principles beyond their proofs: larger systems with random exact data, and the proved laws in
+//! floating-point numbers.
 
 use dalembert_derivations::systems::disc::Disc;
 use dalembert_derivations::systems::knife_edge::KnifeEdge;
@@ -156,7 +157,7 @@ fn coordinates_that_are_no_split_are_refused() {
     assert!(Split::<4, 2, 2>::new([3, 1]).is_some());
 }
 
-/// The reaction is upwards at the lowest point; rigidity transmits it to the centre.
+/// The reaction acts upwards at the lowest point; the rigid body transmits it to the centre.
 #[test]
 fn the_plane_carries_the_weight_of_a_disc_that_stands() {
     let [mass, second_moment, radius, gravity] = [3, 1, 2, 10].map(Rational::int);
@@ -168,7 +169,7 @@ fn the_plane_carries_the_weight_of_a_disc_that_stands() {
     assert_eq!(stands.reactions, [0, 60, 0, 30, 0, 0].map(Rational::int));
 }
 
-/// The greatest difference between the accelerations by the principles, relative to their size.
+/// The greatest difference between the accelerations by the different principles, relative to their magnitude.
 fn spread<Q, const N: usize, const C: usize, const K: usize, const R: usize>(
     system: &Q,
     (time, q, p): (f64, [f64; K], [f64; R]),
@@ -213,7 +214,7 @@ proptest! {
             Closed(Rod { guided: m, free: m1, length: l, gravity: g, friction: 0.0, sides: Sides::Two });
         let swing = MovingPivotPendulum { mass: m, length: l, gravity: g, speed: u, acceleration: v };
         let spreads = [
-            // the pivots of redundant coordinates vanish on a thin set, from which this range of the spin keeps away
+            // the pivots of the redundant coordinates vanish on a surface; this range of the angular velocity avoids it
             spread(&disc, (t, [u, v, psi, theta, 0.3 + phi.abs() / 4.0], speeds), [3, 8, 6, 2, 0, 1]),
             spread(&sleigh, (t, [u, v, theta], [u, w]), [3, 1]),
             spread(&rod, (t, [u, theta], [v, w]), [3, 1]),

@@ -1,4 +1,4 @@
-//! Euler's angles have their usual meaning, which Lagrange's equations, valid in any coordinates, cannot verify.
+//! Euler's angles have their usual meaning; Lagrange's equations, which hold in any coordinates, cannot verify this.
 
 use field::Analytic;
 use mechanics::rotation::{euler, euler_forms, vertical};

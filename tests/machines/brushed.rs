@@ -1,4 +1,4 @@
-//! The brushed motor derived from a rotating armature, and compared with textbook results.
+//! The brushed motor, derived from a rotating armature and compared with textbook results.
 
 use crate::{assert_equal, number, symbol};
 use dalembert_derivations::machines::brushed::Brushed;
@@ -9,8 +9,8 @@ use motor::{Bench, Machine, electrical_power, joule_heat, steady_currents, torqu
 use num_traits::Zero;
 use symbolic::{Sym, symbols};
 
-/// Two windings rotate with the rotor in the field of fixed magnets; the brushes keep the current orthogonal to this field,
-/// at -90 degrees in space, and connect to the windings' voltages along it.
+/// Two windings rotate with the rotor in the field of fixed magnets. The brushes keep the current vector perpendicular
+/// to this field, at -90 degrees in space, and connect the terminals to the windings' voltages along this direction.
 #[test]
 fn an_armature_whose_current_brushes_hold_in_space_is_the_machine() {
     let Ok(machine) = Brushed::<Sym>::read(symbol);
@@ -23,7 +23,7 @@ fn an_armature_whose_current_brushes_hold_in_space_is_the_machine() {
         (constant(machine.inductance) * (a * a + b * b)).half()
             + constant(machine.flux) * (a * turned.cos - b * turned.sin)
     };
-    // (0, -1) in space, seen from the rotor
+    // the direction (0, -1) in space, in the axes of the rotor
     let axis = |phi: Circle<Tangent<Sym>>| [-phi.sin, -phi.cos];
     let carried = axis(phi.circle().moving(speed)).map(|along| along * Tangent::moving(current, rates[0]));
     let velocity = [carried[0].value, carried[1].value, speed];
@@ -56,14 +56,14 @@ fn the_steady_speed_is_that_of_textbooks() {
     let mut rates = [number(1, 1)];
     assert_eq!(torque_and_current_rates(&machine, Circle::zero(), speed, &current, &mut rates), Rational::zero());
     assert_eq!(rates, [Rational::zero()]);
-    // locked rotor: all of the voltage is on the resistance
+    // locked rotor: the whole voltage drops at the resistance
     let locked = steady_currents(&machine, Circle::zero(), Rational::zero());
     assert_eq!(locked, Some(vec![u / r]));
     let ideal = Brushed { resistance: Rational::zero(), ..machine };
     assert_eq!(steady_currents(&ideal, Circle::zero(), Rational::zero()), None);
 }
 
-/// A bench with the work of its supply as a state.
+/// A bench with the work of its supply as an additional state.
 struct Metered(Bench<f64, Brushed<f64>>);
 
 impl<S: Over<f64> + Analytic> Ode<S> for Metered {

@@ -1,4 +1,4 @@
-//! Every motor of the catalogue conforms, and each check rejects a motor that does not.
+//! Every motor of the catalogue satisfies the conformance checks, and each check rejects a motor that violates it.
 
 use claims::finding::{Finding, PropertyVerdict};
 use dalembert_derivations::machines::asynchronous::Asynchronous;
@@ -18,7 +18,7 @@ fn no_motor_of_the_list_fails_a_check() {
     }
 }
 
-/// The scene of a text motor on a bench, with data of any kind allowed, since the checks judge them.
+/// The scene of a text motor on a bench; its data may have any sign, since the checks test them.
 fn text(machine: &str) -> Scene {
     let text = format!(
         "title = \"t\"\nsystem = \"bench\"\nallow = [\"zero resistance\", \"negative resistance\", \"negative friction\"]\n\
@@ -28,7 +28,7 @@ fn text(machine: &str) -> Scene {
     Scene::parse("scene.toml", &text).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// A magnet with one winding of these data, in the parameters k, l, r and u.
+/// A magnet with one winding with these data; the parameters are k, l, r and u.
 fn wound(inductance: &str, resistance: &str, more: &str) -> Scene {
     text(&format!(
         "field_energy = \"-k*cos(g)\"\ntorque_law = \"-f*phi'\"\n[machine.parameters]\nk = \"0.8 N m\"\n\
@@ -52,7 +52,7 @@ fn a_sound_winding_fails_nothing() {
     assert_eq!(failed_by(&wound("l", "r", "")), []);
 }
 
-/// A denominator of degree 128 exceeds the normal form: the motor remains undecided.
+/// A denominator of degree 128 exceeds the limits of the normal form: the property remains undecided.
 #[test]
 fn what_the_prover_gives_up_is_undecided_and_does_not_fail() {
     let scene = text(
@@ -97,7 +97,7 @@ fn a_winding_almost_without_inductance_is_too_stiff_to_be_told() {
     assert_eq!(found, [("stiffness", "the fastest motion hides the slowest in rounding".to_owned())]);
 }
 
-/// A motor whose friction has not the declared unit.
+/// A motor whose friction coefficient does not have the declared unit.
 static OF_ANOTHER_UNIT: Entry = Entry {
     name: "of_another_unit",
     summary: "deceives",

@@ -10,7 +10,7 @@ use field::{Circle, Rational, Tangent};
 use motor::{Machine, torque_and_current_rates};
 use num_traits::Zero;
 
-/// Bars at -90 and at 180 degrees: -a sin(g + t) is a cos g and a sin g.
+/// Bars at -90 and at 180 degrees: -a sin(g + t) becomes a cos g and a sin g.
 #[test]
 fn two_bars_at_right_angles_without_excitation_are_the_machine() {
     let o = Rational::zero();
@@ -31,8 +31,8 @@ fn two_bars_at_right_angles_without_excitation_are_the_machine() {
     }
 }
 
-/// With the currents of the present slip the torque is Kloss', pull-out a^2/(2 L) at the slip R/L; the derivative at synchronism
-/// equals the asynchronous motor's with k = a^2/R.
+/// With the steady currents of the present slip the torque is that of Kloss, with the pull-out torque a^2/(2 L) at the
+/// slip R/L; its derivative at synchronism equals that of the asynchronous motor with k = a^2/R.
 #[test]
 fn at_constant_slip_the_moment_is_that_of_kloss_and_near_synchronism_the_linear_one() {
     let (field_speed, flux, inductance, resistance, f) = (150.0, 0.025, 1.6e-3, 0.064, 4e-4);

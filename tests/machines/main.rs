@@ -1,4 +1,4 @@
-//! Motor models against first principles that do not use the code of the models.
+//! Motor models compared with first principles, without using the code of the models.
 
 mod brushed;
 mod conformance;

@@ -1,4 +1,4 @@
-//! The power balance of supply, friction and heat in the frame of the rotating field, metered along runs.
+//! The power balance of supply, friction and heat in the frame of the rotating field, integrated along runs.
 
 use dalembert_derivations::studies::scene::Scene;
 use reader::Family;

@@ -46,8 +46,8 @@ fn positive() -> impl Strategy<Value = Rational> {
 proptest! {
     #![proptest_config(fixed(6))]
 
-    /// The lumped currents are linear in the bars', and a Runge-Kutta method commutes with linear maps: the runs differ
-    /// by rounding alone.
+    /// The equivalent currents are linear in those of the bars, and a Runge-Kutta method commutes with linear maps: the
+    /// runs differ by rounding only.
     #[test]
     fn any_number_of_bars_moves_like_its_equivalent_windings(g in gyrostat(), sample in numbers()) {
         let form = rounded(&g).second_form().0;
@@ -81,7 +81,7 @@ proptest! {
     }
 }
 
-/// The distance between the rotor of a bench and that of a gyrostat with a carrier of 1e12 kg m^2, after a run.
+/// The distance between the rotor's motion on a bench and in a gyrostat with a carrier of 1e12 kg m^2, after a run.
 fn off_the_bench(machine: Motor, sample: &Sample) -> f64 {
     let mut g = rounded(&dalembert_derivations::papers::konosevich2022::gyrostats::spherical().gyrostat);
     g.carrier.inertia = Matrix3::identity() * 1e12;
@@ -141,12 +141,13 @@ proptest! {
         let (angle, mut rates) = (Circle::from_half_tangent(half), [o; 3]);
         let moment = torque_and_current_rates(&idle, angle, slip, &currents, &mut rates);
         prop_assert_eq!(moment, torque_and_current_rates(&synchronous, angle, slip, &[], &mut []));
-        // M = -b0 sin g - f phi', and each current decays by itself
+        // M = -b0 sin g - f phi', and the currents decay independently
         prop_assert_eq!(moment, -(b0 * angle.sin) - f * (slip + field_speed));
         prop_assert_eq!(rates, [-(r1 / l1 * currents[0]), -(r2 / l2 * currents[1]), -(r2 / l2 * currents[2])]);
     }
 
-    /// Kloss' torque is the linear one with the slope 2 m_k / (s_k W), over 1 + (s/s_k)^2: equal at small slip.
+    /// Kloss' torque is the linear one with the slope 2 m_k / (s_k W), divided by 1 + (s/s_k)^2; the two agree at small
+    /// slip.
     #[test]
     fn kloss_moment_is_the_linear_one_at_small_slip(data in [positive(), positive(), positive(), positive()], slip in rational()) {
         let [field_speed, pull_out, pull_out_slip, f] = data;
@@ -182,7 +183,8 @@ proptest! {
     }
 }
 
-/// -N/2 a2^2 R2 g' / (R2^2 + L2^2 g'^2): Kloss' torque with critical slip R2 / (L2 W) and pull-out torque N a2^2 / (4 L2).
+/// The torque -N/2 a2^2 R2 g' / (R2^2 + L2^2 g'^2) is Kloss' torque with the critical slip R2 / (L2 W) and the pull-out
+/// torque N a2^2 / (4 L2).
 #[test]
 fn at_constant_slip_the_damper_has_kloss_moment() {
     let damper = Windings { b0: 0.0, a1: 0.0, mu: 0.0, f: 0.0, ..windings() };
@@ -191,7 +193,7 @@ fn at_constant_slip_the_damper_has_kloss_moment() {
         let pull_out = bars as f64 * a2 * a2 / (4.0 * l2);
         let kloss = Kloss { field_speed, pull_out, pull_out_slip: r2 / (l2 * field_speed), f: 0.0 };
         for slip in [-9.0, -2.0, 0.3, 5.0] {
-            // a rotor with practically infinite inertia
+            // a rotor with practically infinite moment of inertia
             let bench = Bench { machine: MultiCurrent::evenly(damper, bars), axial: 1e12 };
             let mut start = vec![0.0; bench.dimension()];
             start[1] = slip;

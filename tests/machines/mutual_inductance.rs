@@ -1,4 +1,4 @@
-//! Windings with mutual inductances as a text motor in decoupled currents.
+//! Windings with mutual inductances, written as a text motor in decoupled currents.
 
 use dalembert_derivations::studies::scene::Scene;
 use field::Analytic;
@@ -6,7 +6,7 @@ use motor::torque_and_current_rates;
 use nalgebra::{Matrix2, Vector2};
 use reader::Family;
 
-/// An induction machine in the stator's axes: inductances, resistances, amplitude of the voltage, pairs of poles.
+/// An induction machine in the stator's axes: inductances, resistances, voltage amplitude, pole pairs.
 const STATOR: f64 = 9.5e-3;
 const ROTOR: f64 = 9.6e-3;
 const MUTUAL: f64 = 9.2e-3;
@@ -18,7 +18,7 @@ fn inductances() -> Matrix2<f64> {
     Matrix2::new(STATOR, MUTUAL, MUTUAL, ROTOR)
 }
 
-/// T with T^T L T = 1 and T^T R T diagonal: the generalised eigenvectors of R and L.
+/// The matrix T with T^T L T = 1 and T^T R T diagonal: the generalised eigenvectors of R and L.
 fn decoupling() -> (Matrix2<f64>, Vector2<f64>) {
     let root = inductances().cholesky().expect("inductances are positive").l();
     let inverse = root.try_inverse().expect("it is regular");
@@ -26,7 +26,7 @@ fn decoupling() -> (Matrix2<f64>, Vector2<f64>) {
     (inverse.transpose() * eigen.eigenvectors, eigen.eigenvalues)
 }
 
-/// The machine as text, in the currents j of i = T j, two along d and two along q.
+/// The machine as text, in the currents j with i = T j, two along d and two along q.
 fn text(allowed: &str) -> String {
     let (t, resistances) = decoupling();
     let swept = inductances() * t;

@@ -1,4 +1,4 @@
-//! The permanent-magnet motor derived from its two stationary phases, whose inductance depends on the angle.
+//! The permanent-magnet motor, derived from its two stationary phases, whose inductance depends on the angle.
 
 use crate::{assert_equal, number, symbol};
 use dalembert_derivations::machines::permanent_magnet::{Magnets, PermanentMagnet};
@@ -10,28 +10,29 @@ use nalgebra::SMatrix;
 use num_traits::Zero;
 use symbolic::{Sym, symbols};
 
-/// n times an angle.
+/// The angle times `pole_pairs`.
 fn electric<S: Scalar>(angle: Circle<S>, pole_pairs: usize) -> Circle<S> {
     (1..pole_pairs).fold(angle, |sum, _| sum + angle)
 }
 
-/// A vector given in rotated axes, transformed to the axes at rest.
+/// The components, in axes at rest, of a vector given in rotated axes.
 fn at_rest<S: Scalar>(by: Circle<S>, [d, q]: [S; 2]) -> [S; 2] {
     [by.cos * d - by.sin * q, by.sin * d + by.cos * q]
 }
 
-/// An instant: the rotor at phi, the field at beta, both mechanical, with currents in Park's axes.
+/// An instant: the rotor at phi, the field at beta (mechanical angles), and the currents in Park's axes.
 struct Instant {
     machine: PermanentMagnet<Sym>,
     phi: Sym,
     speed: Sym,
     acceleration: Sym,
     currents: [Sym; 2],
-    /// by the machine
+    /// The rates of the currents by the machine.
     rates: [Sym; 2],
-    /// by the machine, without friction
+    /// The torque by the machine, without friction.
     torque: Sym,
-    /// in the axes at rest: a turning vector of constant length, across the magnets at g = 0
+    /// The voltage in the axes at rest: a rotating vector of constant length, perpendicular to the magnets' field at g
+    /// = 0.
     voltage: [Sym; 2],
 }
 
@@ -55,7 +56,8 @@ impl Instant {
     }
 }
 
-/// K = 1/2 i.L(theta) i + Psi (i_a cos theta + i_b sin theta), L of a salient rotor by the double angle.
+/// The energy K = 1/2 i.L(theta) i + Psi (i_a cos theta + i_b sin theta); for a salient rotor L depends on the double
+/// angle.
 #[test]
 fn parks_transformation_of_the_phases_by_lagrange_and_maxwell_is_the_machine() {
     for pole_pairs in 1..=3 {
@@ -82,7 +84,8 @@ fn parks_transformation_of_the_phases_by_lagrange_and_maxwell_is_the_machine() {
     }
 }
 
-/// In Park's axes the coenergy does not depend on the angle; the motional terms are the brackets of the axes' fields.
+/// In Park's axes the coenergy does not depend on the angle; the motional terms result from the brackets of the axes'
+/// vector fields.
 #[test]
 fn the_motional_terms_are_those_of_boltzmann_and_hamel() {
     for pole_pairs in 1..=3 {
@@ -111,7 +114,7 @@ fn the_motional_terms_are_those_of_boltzmann_and_hamel() {
     }
 }
 
-/// i_q = (V cos - ...)/R as textbooks solve it, by Cramer's rule.
+/// The textbook solution i_q = (V cos - ...)/R, by Cramer's rule.
 #[test]
 fn the_currents_that_rest_in_step_are_those_of_the_phasor_diagram() {
     let n = |a, b| number(a, b);

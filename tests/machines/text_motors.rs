@@ -1,4 +1,5 @@
-//! A motor as text equals that of the catalogue: equal programs, with the values of the compiled law.
+//! A motor written as text equals that of the catalogue: the programs are equal, and so are the values of the compiled
+//! law.
 
 use crate::physical::rounded;
 use dalembert_derivations::machines::asynchronous::Asynchronous;
@@ -45,7 +46,7 @@ const DATA: &str = "field_speed = \"9 rad/s\"\n";
 const WINDINGS: &str = "b0 = \"0.8 N m\"\na1 = \"0.5 Wb\"\nl1 = \"0.3 H\"\nr1 = \"0.7 ohm\"\na2 = \"0.4 Wb\"\n\
                         l2 = \"0.2 H\"\nr2 = \"0.9 ohm\"\nmu = \"0.02 N m s\"\nf = \"0.05 N m s\"\n";
 
-/// The motor of a name and data.
+/// The motor with a given name and data.
 fn named(model: &str, data: &str) -> Motor {
     scene(&format!("[machine]\nmodel = \"{model}\"\n{data}")).machine
 }
@@ -61,7 +62,7 @@ fn winding(flux: &str, of: u8) -> String {
 
 const FIELD_AND_FRICTION: &str = "field_energy = \"-b0*cos(g)\"\ntorque_law = \"-(mu*g' + f*phi')\"\n";
 
-/// The motor with bars at some angles, compiled and as text; the data of the bars agree to the last bit.
+/// The motor with bars at some angles, compiled and as text; the data of the bars are bitwise equal.
 fn with_bars(degrees: &[f64]) -> (MultiCurrent<f64>, Motor) {
     let windings =
         Windings { field_speed: 9.0, b0: 0.8, a1: 0.5, l1: 0.3, r1: 0.7, a2: 0.4, l2: 0.2, r2: 0.9, mu: 0.02, f: 0.05 };
@@ -130,7 +131,7 @@ fn twins() -> Vec<(Motor, Motor)> {
     ]
 }
 
-/// The size of a law: columns of its Taylor recurrence, operations of its straight-line code.
+/// The size of a law: the columns of its Taylor recurrence, and the operations of its straight-line code.
 fn counts(law: &impl Ode<Sym>) -> (usize, usize) {
     let state: Vec<Sym> = (0..law.dimension()).map(|i| Sym::symbol(&format!("y{i}"))).collect();
     let mut rates = vec![Sym::ZERO; state.len()];
@@ -163,7 +164,7 @@ fn every_motor_written_as_text_comes_to_programs_of_the_same_length() {
     }
 }
 
-/// A value of a datum, different for different names.
+/// The value of a datum, different for different names.
 fn datum(quantity: &Quantity) -> f64 {
     0.3 + 0.01 * quantity.name.bytes().map(f64::from).sum::<f64>() % 1.0
 }
@@ -172,7 +173,7 @@ fn given(quantity: &'static Quantity) -> Result<f64, Infallible> {
     Ok(datum(quantity))
 }
 
-/// Asserts that the motor of a name agrees with the compiled law: names, counts, rates.
+/// Asserts that the motor of a name agrees with the compiled law: names, sizes, rates.
 fn is_compiled(name: &str, law: &(impl Machine<f64> + Clone)) {
     let motor = catalogue::sampled(name, datum, 5).expect("it is in the catalogue");
     assert_eq!(motor.rotor(), law.rotor(), "{name}");
@@ -187,7 +188,7 @@ fn is_compiled(name: &str, law: &(impl Machine<f64> + Clone)) {
     same_rates(name, &motor, law);
 }
 
-/// The rates in a gyrostat, to rounding.
+/// Asserts that the rates in a gyrostat agree up to rounding.
 fn same_rates(name: &str, ours: &(impl Machine<f64> + Clone), theirs: &(impl Machine<f64> + Clone)) {
     for turn in 0..20 {
         let y: Vec<f64> = (0..17).map(|i| 2.0 * f64::from(7 * turn + 3 * i).sin()).collect();
@@ -274,7 +275,7 @@ fn by_both(law: &impl Separable, state: &[f64]) {
     assert!(plain < 1e-13 && exact < 1e-28, "{plain:e} {exact:e}");
 }
 
-/// The largest difference after a few steps, relative to a number or to one; `None` for a law without sub-flows.
+/// The largest difference after a few steps, relative to the number or to one; `None` for a law without sub-flows.
 fn off_by<S: Real + Running>(law: &impl Separable, programs: &Programs, state: &[f64]) -> f64 {
     let start: Vec<S> = state.iter().map(|y| S::lift(*y)).collect();
     let after = |programs: Option<&Programs>| {
@@ -300,7 +301,7 @@ fn its_kicks_by_programs_are_those_of_its_laws_one_by_one() {
     let with_time = format!("{WINDINGS}s = \"0.3 s\"\nt = \"20 deg\"\n");
     let bent = written(DATA, bent, &with_time, &(winding("a1*cos(g)", 1) + &winding("-a2*sin(2*g + t)", 2)));
     let g = rounded(&gyrostats::opposite_sign().gyrostat);
-    // the first is left alone: on a bench it does not move
+    // the first one is omitted, since it does not move on a bench
     for text in twins().into_iter().skip(1).map(|(_, text)| text).chain([bent, with_bars(&[-45.0, 75.0]).1]) {
         let driven = Driven::new(g.second_form().0, text.clone());
         by_both(&driven, &y[..driven.dimension()]);

@@ -1,9 +1,10 @@
-//! Snapshots of the cost, in evaluations, of the work-precision study's configurations; and tests of their models.
+//! Snapshots of the cost, in evaluations, of the configurations in the work-precision study; and tests of their models.
 //!
-//! The counts must be equal on every computer. Methods run in double-double where they can: differences between computers
-//! are then 1e-16 times smaller than the errors that control the steps. Dormand-Prince runs in `f64` on rates computed in
-//! double-double and rounded, which rounds every cosine correctly. Taylor's method in `f64` chooses its instructions
-//! at run time, which changes rounding: its counts here are those of its series in double-double.
+//! The counts must be the same on every computer. If possible, methods run in double-double: differences between
+//! computers are then 1e-16 times smaller than the errors that control the steps. Dormand-Prince runs in `f64` with
+//! rates computed in double-double and then rounded, so that every cosine is correctly rounded. Taylor's method in
+//! `f64` selects its instructions at run time, which changes rounding; its counts here are those of the series in
+//! double-double.
 
 use dalembert_derivations::studies::AnyScene;
 use field::DoubleDouble;
@@ -15,7 +16,7 @@ use simulation::{Axes, IvpScene};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A scene of any family, systems as text among them.
+/// A scene of any family, including systems written as text.
 fn open(name: &str) -> AnyScene {
     scenes::register(|_| ());
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name).with_extension("toml");
@@ -65,15 +66,15 @@ impl System for Rounded<'_> {
 const TOLERANCES: [f64; 5] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11];
 const STEPS: [u32; 3] = [250, 1_000, 4_000];
 const ERRORS: [f64; 3] = [1e-3, 1e-6, 1e-9];
-/// The greatest number of evaluations in one run; fewer where explicit methods are known to use up all of them.
+/// The greatest number of evaluations in one run; less for explicit methods that are known to use all of them.
 const EVALUATIONS: u64 = 20_000;
 const STIFF: u64 = 4_000;
 const INSTANTS: usize = 8;
-/// Smaller errors count as this: they may be rounding of a row, which differs between computers, and counts between two
-/// tolerances are interpolated by the errors of both.
+/// Smaller errors are replaced by this one: they may consist of rounding, which differs between computers, and the
+/// counts between two tolerances are interpolated by the errors of both.
 const ROUNDING: f64 = 1e-11;
 
-/// The exact motion: to 16 digits, by a method in double-double.
+/// The reference motion: to 16 digits, by a method in double-double.
 fn goal(scene: &dyn IvpScene, stiff: bool) -> Goal {
     let problem = scene.problem(Axes::First);
     let span = Span::new(0.0, problem.span, &lifted(&problem.state)).with_even_outputs(INSTANTS);
@@ -99,7 +100,7 @@ fn runs(way: &Configuration, stiff: bool, tolerance: impl Fn(f64) -> Tolerance) 
             let each = |steps| (Some(Method::Split { splitting, steps }), tolerance(1e-9), None);
             vec![("Kahan-Li 8".to_owned(), STEPS.map(each).to_vec())]
         }
-        // in `f64` alone steps end on the constraints
+        // in `f64` only the steps are projected onto the constraints
         Treated::Free(law) if law.projection().is_some() => {
             let each = |steps| (Some(Method::RungeKutta4 { steps }), tolerance(1e-9), None);
             vec![adaptive(Method::DormandPrince8), ("Runge-Kutta 4".to_owned(), STEPS.map(each).to_vec())]
@@ -126,7 +127,7 @@ fn runs(way: &Configuration, stiff: bool, tolerance: impl Fn(f64) -> Tolerance) 
 
 type Attempted = (Option<Method>, Tolerance, Option<Index2Method>);
 
-/// Evaluations, and the error or the reason for which there is none.
+/// The number of evaluations, and the error or the reason why there is none.
 fn run(
     way: &Configuration,
     goal: &Goal,
@@ -236,7 +237,7 @@ fn the_work_of_every_choice_is_what_was_reviewed() {
     });
 }
 
-/// The scenes with bars are compared in the outputs that both have: angular velocity, direction, rotor angle and slip.
+/// The scenes with bars are compared in the common outputs: angular velocity, direction, rotor angle and slip.
 #[test]
 fn two_windings_have_the_motion_of_all_bars_and_smaller_models_have_not() {
     let scene = open("spin_up");
@@ -262,7 +263,7 @@ fn over(name: &str, span: &str) -> AnyScene {
     AnyScene::parse(name, &text.join("\n")).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Minimal coordinates and every treatment of redundant ones have equal motions.
+/// Minimal coordinates and every treatment of redundant coordinates give the same motion in the limit.
 #[test]
 fn every_formulation_of_a_mechanism_tends_to_one_motion() {
     for (name, span) in [

@@ -1,10 +1,11 @@
-//! The clock of the process ends every run, whatever the run's own budget. It is set once, hence this separate program.
+//! The time limit of the process ends every run, whatever the run's own limits. It can be set only once, hence this
+//! separate program.
 
 use dalembert_integrators::{Failure, Method, Ode, Span, System, Tolerance, clock, integrate};
 use field::Scalar;
 use std::time::Instant;
 
-/// y'' = -y.
+/// The oscillator y'' = -y.
 struct Swinging;
 
 impl<S: Scalar> Ode<S> for Swinging {

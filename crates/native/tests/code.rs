@@ -1,4 +1,4 @@
-//! Machine code against the tape that it was compiled from.
+//! Machine code compared with the tape from which it was compiled.
 
 use dalembert_native::Code;
 use field::{Analytic, Scalar};
@@ -74,7 +74,7 @@ fn the_size_of_code_grows_with_its_operations_and_constants() {
     let Some(one) = size(x + t) else { return };
     let shifted = size(x + t + Sym::ratio(1, 3)).expect("as the first");
     let long = size((0..100).fold(x, |y, _| y * y + t)).expect("as the first");
-    // a constant has eight bytes; two hundred operations have at least four bytes each
+    // a constant takes eight bytes; two hundred operations take at least four bytes each
     assert!(shifted >= one + 8 && long >= one + 800, "{one}, {shifted}, {long} bytes");
 }
 

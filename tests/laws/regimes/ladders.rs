@@ -1,4 +1,4 @@
-//! Two rough contacts: ladders on wall and floor.
+//! Two contacts with friction: ladders on wall and floor.
 
 use super::verdicts::{decide, name, q};
 use dalembert_derivations::systems::ladder::Ladder;
@@ -30,7 +30,7 @@ fn a_steep_ladder_on_rough_ground_stays_with_undetermined_reactions() {
     assert!(!found.determined);
 }
 
-/// If both friction cones contain the line between the ends, the reactions along it are unbounded.
+/// If both friction cones contain the line between the ends, the reactions along this line are unbounded.
 #[test]
 fn a_ladder_that_is_wedged_has_reactions_without_bound() {
     let wedged = leaning(Circle { cos: q(3, 5), sin: q(4, 5) }, q(0, 1));
@@ -50,7 +50,8 @@ fn a_flat_ladder_on_smooth_ground_falls_as_the_closed_form_says() {
 
 #[test]
 fn a_ladder_at_rest_may_stay_or_slide_up_under_one_load() {
-    // f = 1/2 and tan alpha = 12/5 > 1/f; reactions as in the claim regimes/ladder-rest/reactions, at one limit of rest
+    // f = 1/2 and tan alpha = 12/5 > 1/f; the reactions are those of the claim regimes/ladder-rest/reactions, at one
+    // limit of rest
     let (f, at) = (q(1, 2), leaning(Circle { cos: q(5, 13), sin: q(12, 13) }, q(0, 1)));
     let system = ladder(f);
     let (wall, floor, against) = (q(100, 1) + q(263, 39), q(100, 1) + q(191, 78), q(91, 12));
@@ -64,20 +65,20 @@ fn a_ladder_at_rest_may_stay_or_slide_up_under_one_load() {
     let dry = Dry::of(&system, &at, load).expect("one constraint");
     let mut found = Vec::new();
     consistent(&dry, &[Touch::Rest; 2], |regime| found.push((regime.regime, regime.motion[0][1])));
-    // at the floor's limit of friction several regimes describe this rest
+    // at the floor's friction limit several regimes describe this rest
     found.dedup_by_key(|(_, motion)| *motion);
     let up = [Mode::Slip(Forwards, Face::Front), Mode::Slip(Backwards, Face::Front)];
     assert_eq!(found, [([Mode::Stick(Face::Front); 2], q(0, 1)), (up, q(24, 13))]);
 }
 
-/// The construction of the claims regimes/ladder-rest/ambiguous and ambiguous-down, epsilon = 1, also beyond f^2 = 2.
+/// The construction of the claims regimes/ladder-rest/ambiguous and ambiguous-down with epsilon = 1, also for f^2 > 2.
 #[test]
 fn whatever_the_friction_some_load_lets_a_ladder_at_rest_stay_or_slide() {
     let (one, third) = (q(1, 1), q(1, 3));
     for (f, turn) in [(q(1, 2), q(2, 3)), (q(1, 1), q(3, 5)), (q(3, 2), q(1, 2)), (q(3, 1), q(2, 5))] {
         let steep = Circle::from_half_tangent(turn);
         for up in [true, false] {
-            // from the contact that decides: the wall for up, the floor for down
+            // from the decisive contact: the wall for upwards, the floor for downwards
             let ordered = |[a, b]: [[Rational; 2]; 2]| if up { [a, b] } else { [b, a] };
             let Circle { cos: c, sin: s } = steep;
             let at = leaning(if up { steep } else { Circle { cos: s, sin: c } }, q(0, 1));

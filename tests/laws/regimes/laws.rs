@@ -1,4 +1,4 @@
-//! Every motion found obeys the laws of contact and friction, by every method.
+//! Every motion found by any method satisfies the laws of contact and friction.
 
 use super::ladders::{ladder, leaning};
 use super::verdicts::{name, q};
@@ -17,7 +17,7 @@ use std::collections::HashSet;
 
 use Direction::Backwards;
 
-/// Whether reactions and accelerations obey the laws of contact and friction, checked without regimes.
+/// Whether reactions and accelerations satisfy the laws of contact and friction, checked without regimes.
 fn lawful<const K: usize>(dry: &Dry<Rational, K>, touches: &[Touch; K], found: &Found<Rational, K>) -> bool {
     let sign = |x: Rational| x.sign().expect("every value is defined");
     (0..K).all(|k| {

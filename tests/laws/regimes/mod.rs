@@ -1,4 +1,4 @@
-//! Every consistent regime of rough contacts: textbook values, exactly.
+//! All consistent contact regimes with friction, compared exactly with textbook values.
 
 mod ladders;
 mod laws;

@@ -1,4 +1,4 @@
-//! One rough contact: rods on a line, and a bead on a dome.
+//! One contact with friction: rods on a line, and a bead on a dome.
 
 use super::verdicts::{decide, q};
 use dalembert_derivations::systems::rod::Rod;
@@ -12,7 +12,7 @@ use mechanics::regimes::{
 
 use Direction::Forwards;
 
-/// A uniform slender rod with m = l = g = 1 whose end slides backwards, the rod leaning forwards and turning.
+/// A uniform slender rod with m = l = g = 1 that leans forwards and rotates; its end slides backwards.
 fn slender_rod(friction: Rational, angle: Circle<Rational>, spin: Rational) -> Consistency<Rational, 1> {
     let one = q(1, 1);
     let rod = SlenderRod { mass: one, inertia: q(1, 3), half_length: one, gravity: one, friction };
@@ -28,7 +28,8 @@ fn the_slender_rod_is_unique_up_to_its_critical_friction() {
     for spin in [slow, fast] {
         assert!(matches!(slender_rod(q(129, 90), angle, spin), Consistency::Unique(_)));
     }
-    // beyond: falling slowly none, lifted by its rotation two; between them, at g = l sin theta' ^2, only the tie
+    // above: no motion if it falls slowly, two if its rotation lifts it; in between, at g = l sin theta' ^2, only that
+    // the contact persists
     assert_eq!(slender_rod(q(131, 90), angle, slow), Consistency::None);
     assert!(matches!(slender_rod(q(131, 90), angle, fast), Consistency::Several(..)));
     assert_eq!(slender_rod(q(13, 9), angle, slow), Consistency::None);
@@ -52,7 +53,7 @@ fn painleves_rod_slides_as_newtons_laws_for_its_two_points_say() {
     }
 }
 
-/// A bead of mass 1 on a rough dome of radius 1, g = 10, f = 1/2.
+/// A bead of mass 1 on a dome of radius 1 with friction, g = 10, f = 1/2.
 struct Dome;
 
 impl PointSystem<2> for Dome {
@@ -109,12 +110,12 @@ fn a_contact_that_closes_with_a_velocity_is_an_impact() {
 
 #[test]
 fn a_tie_is_told_and_counted_as_one_motion() {
-    // a rod hanging straight above its end, pushed just to the limit of friction
+    // a rod vertically above its end, pushed exactly to the limit of friction
     let one = q(1, 1);
     let rod = SlenderRod { mass: one, inertia: q(1, 3), half_length: one, gravity: one, friction: q(1, 2) };
     let still = [q(0, 1); 4];
     let at = State { time: q(0, 1), place: [q(0, 1), one, q(0, 1), one], velocity: still };
-    // W is diag(1, 4): a push of 2 at the centre asks for T = -1/2 = -f N
+    // W is diag(1, 4): a force of 2 at the centre requires T = -1/2 = -f N
     let dry = Dry::<_, 1>::of(&rod, &at, [q(2, 1), -one, q(0, 1), q(0, 1)]).expect("one constraint");
     let mut names = Vec::new();
     consistent(&dry, &[Touch::Rest], |found| names.push((found.regime[0], found.tie)));

@@ -1,4 +1,4 @@
-//! Two masses on rough guides.
+//! Two masses on guides with friction.
 
 use super::verdicts::{decide, q};
 use dalembert_derivations::systems::painleve_klein::PainleveKlein;
@@ -37,7 +37,7 @@ fn the_sliders_are_unique_below_the_critical_friction() {
 
 #[test]
 fn at_the_critical_friction_one_load_gives_a_continuum() {
-    // (m1 + m2 - f m2 tan theta) x'' = P1 + P2 - f P2 tan theta is 0 = 0
+    // here (m1 + m2 - f m2 tan theta) x'' = P1 + P2 - f P2 tan theta reads 0 = 0
     assert!(matches!(sliders(q(2, 1), 1), Consistency::Continuum(_)));
     assert_eq!(sliders(q(2, 1), 0), Consistency::None);
 }

@@ -1,4 +1,4 @@
-//! The verdict on a state, and the name of a regime, for the tests.
+//! Helpers of the tests: the verdict on a state, and the name of a regime.
 
 use field::{Over, Rational};
 use mechanics::constrained::State;

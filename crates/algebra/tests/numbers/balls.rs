@@ -1,10 +1,10 @@
-//! Numbers enclosed to thirty digits, against exact ones and known digits.
+//! Numbers enclosed to thirty digits, compared with exact numbers and known digits.
 
 use dalembert_algebra::real::{Ball, FixedPoint, Ordered};
 use dashu_ratio::RBig;
 use field::{DoubleDouble, Rational, Scalar};
 
-/// From digits such as `3/4` or `2718/1000`.
+/// A fraction from digits such as `3/4` or `2718/1000`.
 fn fraction(text: &str) -> Rational {
     text.parse::<RBig>().expect("it is a fraction").into()
 }
@@ -19,7 +19,7 @@ fn ball(value: Rational) -> Ball {
     Ball::constant(0.0).fraction(value).expect("it is a number")
 }
 
-/// It holds the number, and is hardly wider than thirty digits allow.
+/// Asserts that the enclosure contains the number, and that it is little wider than thirty digits allow.
 fn holds(found: &Ball, exact: &Ball) {
     let off = found.minus(exact);
     assert!(off.sign().is_none_or(|sign| sign == 0), "{found:?} is beside {exact:?}");
@@ -41,7 +41,7 @@ fn functions_of_balls_have_thirty_known_digits() {
     holds(&one.faded().expect("it is small"), &digits("0", "6321205588285576784044762298385391325542"));
 }
 
-/// Hundreds of operations, exactly and enclosed: the enclosure contains every rounding error.
+/// Hundreds of operations, in exact arithmetic and with enclosures: the enclosure contains all rounding errors.
 #[test]
 fn long_sums_products_and_quotients_hold_the_exact_fraction() {
     let one = Rational::int(1);
@@ -56,7 +56,7 @@ fn long_sums_products_and_quotients_hold_the_exact_fraction() {
     assert!(enclosed.left() > 0.0);
 }
 
-/// Sums, products and quotients one by one, of numbers with all their bits, by signs of the exact residue.
+/// Single sums, products and quotients of numbers with all bits used; their errors are known from exact residues.
 #[test]
 fn a_single_operation_is_off_by_no_more_than_it_says() {
     let exactly = |x: DoubleDouble| Rational::exactly(x.hi()) + Rational::exactly(x.lo());
@@ -87,7 +87,8 @@ fn what_may_vanish_is_no_divisor_and_what_is_no_number_has_no_sign() {
     assert_eq!(Ball::over_range(0.5, 2.0).sign(), Some(1));
 }
 
-/// From the root in floats: the centre is moved to all digits first, and a box that was taken wide is narrowed.
+/// Starting from the root in floats, the centre is first corrected to all digits, and a box that was chosen too wide is
+/// then narrowed.
 #[test]
 fn a_fixed_point_is_held_to_all_digits_from_floats() {
     let (two, quarter) = (Ball::constant(2.0), Ball::constant(0.25));
@@ -104,7 +105,8 @@ fn a_fixed_point_is_held_to_all_digits_from_floats() {
     }
 }
 
-/// Half of the inverse goes half of the way: the rest is in the box, also in the narrower one.
+/// With half of the inverse, an iteration covers half of the distance: the rest remains in the box, and also in the
+/// narrowed one.
 #[test]
 fn a_poor_inverse_widens_the_place_of_a_fixed_point_and_does_not_lose_it() {
     let value = |at: &[Ball]| Some(vec![at[0].times(&Ball::constant(0.5))]);

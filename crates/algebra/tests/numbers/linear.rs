@@ -1,4 +1,4 @@
-//! Linear equations over fields: determinants, and elimination against exact solutions.
+//! Linear equations: determinants, and elimination compared with exact solutions.
 
 use dalembert_algebra::linear::{Factors, Magnitude, NotSolved, Pattern, determinant, nonnegative_combination};
 use dalembert_algebra::real::Ball;
@@ -12,7 +12,7 @@ fn determinants_run_over_any_field() {
     assert_eq!(determinant(&[vec![1.0], vec![3.0, 4.0]]), None);
 }
 
-/// Whole numbers from a fixed seed.
+/// Integers from a fixed seed.
 struct Draws(u64);
 
 impl Draws {
@@ -22,13 +22,13 @@ impl Draws {
     }
 }
 
-/// A mass matrix of a few bodies, some coordinates without inertia, and constraints between them; repeated and massless rows are
-/// drawn at random, so that systems with and without a solution come up.
+/// A mass matrix of a few bodies, some coordinates without inertia, and constraints between them. Repeated and massless
+/// rows occur at random, so that there are systems with and without a solution.
 fn drawn(draws: &mut Draws) -> (Pattern, Vec<i64>, Vec<i64>) {
     let (n, m) = (1 + draws.below(6) as usize, draws.below(4) as usize);
     let mut dense = vec![vec![0_i64; n + m]; n + m];
     for _ in 0..1 + draws.below(8) {
-        // one body more along a direction of its own
+        // one more body, along a direction of its own
         let along: Vec<i64> = (0..n).map(|_| draws.below(3) as i64 - 1).collect();
         for (row, &a) in dense.iter_mut().zip(&along) {
             row.iter_mut().zip(&along).for_each(|(entry, &b)| *entry += a * b);
@@ -46,7 +46,7 @@ fn drawn(draws: &mut Draws) -> (Pattern, Vec<i64>, Vec<i64>) {
         .filter(|&(row, column)| dense[row][column] != 0)
         .collect();
     let entries = places.iter().map(|&(row, column)| dense[row][column]).collect();
-    // a right side that a solution has
+    // a right-hand side for which a solution exists
     let solution: Vec<i64> = (0..n + m).map(|_| draws.below(7) as i64 - 3).collect();
     let right = dense.iter().map(|row| row.iter().zip(&solution).map(|(a, z)| a * z).sum()).collect();
     (Pattern::new(n + m, n, places), entries, right)
@@ -74,7 +74,7 @@ fn two_thousand_systems_are_solved_or_refused_alike_in_rationals_and_in_f64() {
                     rest[row] += Rational::int(entry) * exact[column];
                 }
                 assert!(rest.iter().all(|rest| *rest == Rational::int(0)), "{rest:?}");
-                // multipliers may differ where constraints repeat each other, accelerations may not
+                // multipliers may differ if constraints repeat each other, accelerations may not
                 for (exact, rounded) in exact.iter().zip(&rounded).take(pattern.determined()) {
                     assert!((exact.to_f64() - rounded).abs() < 1e-9, "{exact:?} is not {rounded}");
                 }
@@ -96,13 +96,13 @@ fn unknowns_of_enclosed_equations_enclose_those_of_each_of_them() {
         let (pattern, entries, right) = drawn(&mut draws);
         let mut factors = Factors::<Ball>::new(&pattern);
         let mut z: Vec<Ball> = right.iter().copied().map(width).collect();
-        // an entry that may be zero is no pivot
+        // an entry that may be zero cannot be a pivot
         if factors.factor(&entries.iter().copied().map(width).collect::<Vec<_>>()).is_err() {
             refused += 1;
             continue;
         }
         factors.solve(&mut z);
-        // the enclosure holds the solution of every matrix within the entries, symmetric or not
+        // the enclosure contains the solution for every matrix within the entries, symmetric or not
         for _ in 0..3 {
             let off = Rational::exactly(WIDTH);
             let mut within = |number: i64| {
@@ -124,7 +124,7 @@ fn unknowns_of_enclosed_equations_enclose_those_of_each_of_them() {
     assert!(found > 500 && refused > 100, "{found} {refused}");
 }
 
-/// Rows that repeat each other are equal up to rounding: which unknown is then free is not known.
+/// Two rows are equal up to rounding, hence it is not known which unknown is then free.
 #[test]
 fn of_enclosed_equations_no_unknown_is_left_free() {
     let pattern = Pattern::new(2, 1, (0..4).map(|k| (k / 2, k % 2)).collect());
@@ -153,7 +153,7 @@ fn a_combination_with_factors_that_are_not_negative_is_found_or_there_is_none() 
     // the sum of the first two entries is never negative
     let columns = vec![rationals(&[1, 0]), rationals(&[2, -1]), rationals(&[-1, 3])];
     assert_eq!(nonnegative_combination(&columns, &rationals(&[-1, 0])), None);
-    // tables in which other rules of exchange may go round in circles (E. M. L. Beale)
+    // tableaux for which other pivot rules may cycle (E. M. L. Beale)
     let columns =
         vec![rationals(&[1, 2, 0]), rationals(&[-60, -90, 0]), rationals(&[-1, -1, 25]), rationals(&[9, 3, 0])];
     assert!(nonnegative_combination(&columns, &rationals(&[0, 0, 25])).is_some());

@@ -1,4 +1,4 @@
-//! Real roots against products of known factors, Sturm's count, and numbers known from elsewhere.
+//! Real roots, compared with products of known factors, with Sturm's count, and with numbers known from the literature.
 
 use dalembert_algebra::real::{Enclosure, Field, Number, Polynomial, subresultant};
 use field::Rational;
@@ -56,7 +56,7 @@ fn repeated_roots_are_found_once() {
 #[test]
 fn a_sign_at_a_root_is_zero_only_where_a_common_factor_says_so() {
     let roots = poly(&[-2, 0, 1]).real_roots();
-    // (x^2 - 2) (x - 5), and the same with 2e-40 more
+    // (x^2 - 2) (x - 5), and the same plus 2e-40
     let shared = product([poly(&[-2, 0, 1]), poly(&[-5, 1])]);
     assert_eq!(roots[1].sign_of(&shared), 0);
     let tiny = Polynomial::from_rationals(&[
@@ -121,7 +121,7 @@ fn a_resultant_vanishes_where_both_have_a_root_in_common() {
 proptest! {
     #![proptest_config(fixed(300))]
 
-    /// Roots p/q with small p, q, some of them repeated, and pairs that are not real.
+    /// Roots p/q with small p, q, some of them repeated, and pairs of non-real roots.
     #[test]
     fn products_of_known_factors_have_the_roots_of_the_factors(
         linear in prop::collection::vec((-30..30i64, 1..20i64, 1..3usize), 0..5),
@@ -152,7 +152,7 @@ proptest! {
     }
 }
 
-/// With three bits, where almost every result must be rounded.
+/// Arithmetic with three bits, where almost every result must be rounded.
 #[test]
 fn every_operation_on_enclosures_rounds_outwards() {
     const COARSE: usize = 3;

@@ -1,4 +1,4 @@
-//! The inner loops do not allocate: twice the steps cost no allocation more.
+//! The inner loops do not allocate: twice as many steps cause no additional allocations.
 
 use std::alloc::{GlobalAlloc, Layout, System as Heap};
 use std::cell::Cell;
@@ -17,11 +17,11 @@ thread_local! {
     static COUNT: Cell<u64> = const { Cell::new(0) };
 }
 
-// SAFETY: every call is handed to the system's allocator unchanged; the counter itself does not allocate.
+// SAFETY: every call is passed unchanged to the system's allocator; the counter itself does not allocate.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         COUNT.set(COUNT.get() + 1);
-        // SAFETY: the caller's promises are those that `alloc` asks for.
+        // SAFETY: the caller guarantees what `alloc` requires.
         unsafe { Heap.alloc(layout) }
     }
 
@@ -40,7 +40,7 @@ fn allocations(work: impl FnOnce()) -> u64 {
     COUNT.get() - before
 }
 
-/// The allocations of a run over Kepler's ellipse, and its steps.
+/// The number of allocations of a run over Kepler's ellipse, and its number of steps.
 fn run<S: Working>(method: Method, length: f64) -> (u64, u64) {
     let ellipse = Kepler { eccentricity: 0.3 };
     let span = Span::new(0.0, length, &ellipse.state::<S>(0.0));

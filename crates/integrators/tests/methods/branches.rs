@@ -1,4 +1,4 @@
-//! Branches of solutions: textbook folds, their places, and the stability on either side.
+//! Branches of solutions: textbook examples of folds, their positions, and the stability on either side.
 
 use dalembert_integrators::{
     BranchEnd, ContinuationSettings, Curve, Equilibria, Failure, Ode, System, continue_branch, spectrum,
@@ -40,7 +40,7 @@ fn a_circle_closes_and_its_folds_are_known_to_rounding() {
 
 #[test]
 fn a_cubic_turns_back_twice_in_units_of_any_size() {
-    // p = x^3 - 3 x folds at x = -1, p = 2 and at x = 1, p = -2; here x in millionths and p in millions
+    // p = x^3 - 3 x has folds at x = -1, p = 2 and at x = 1, p = -2; here x is in units of 1e-6 and p in units of 1e6
     let mut cubic = Plane(|x, p| {
         let (x, p) = (x * 1e6, p * 1e-6);
         [p - x * x * x + 3.0 * x, (3.0 - 3.0 * x * x) * 1e6, 1e-6]
@@ -69,7 +69,7 @@ fn where_the_equations_end_the_walk_stalls_and_where_there_is_none_it_does_not_b
     assert_eq!(continue_branch(&mut none, &[1.0, 1.0], &[1.0, 0.0], &walk(&[1.0; 2], &|_| true)), None);
 }
 
-/// x'' = p - sin x - 0.3 x' with p a state that rests.
+/// The equation x'' = p - sin x - 0.3 x', where p is a component of the state with zero rate.
 struct Turned;
 
 impl<S: Over<f64> + Analytic> Ode<S> for Turned {

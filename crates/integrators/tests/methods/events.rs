@@ -1,4 +1,4 @@
-//! Events: where a signal falls through zero, or only touches it.
+//! Events: a signal decreases through zero, or only touches zero.
 
 use dalembert_integrators::{
     Event, Happening, Method, Ode, Outcome, Pace, Record, Signal, Span, Switches, System, TaylorSeries, Tolerance,
@@ -25,7 +25,7 @@ impl System for Oscillator {
     }
 }
 
-/// The series of a rotation: a_(k+1) is a_k turned back by a right angle, over k + 1.
+/// The series of a rotation: a_(k+1) is a_k rotated by -90 degrees, divided by k + 1.
 struct Turning(Vec<[f64; 2]>);
 
 impl TaylorSeries<f64> for Turning {
@@ -48,7 +48,7 @@ impl TaylorSeries<f64> for Turning {
     }
 }
 
-/// q - level
+/// The signal q - level.
 struct Above(f64);
 
 impl Switches for Above {
@@ -114,7 +114,7 @@ fn a_short_dip_within_one_step_is_found() {
     }
 }
 
-/// One, with rates that are only rounding.
+/// A signal equal to one whose rates are only rounding errors.
 struct Rest;
 
 impl Switches for Rest {
@@ -167,7 +167,7 @@ fn an_event_on_a_polynomial_costs_one_more_expansion() {
     assert_eq!(outcome.work.rates % (outcome.work.steps + 1), 0, "{}", outcome.work);
 }
 
-/// cos 5t where q = cos t: 16 q^5 - 20 q^3 + 5 q.
+/// The signal cos 5t for q = cos t: 16 q^5 - 20 q^3 + 5 q.
 struct Fifth;
 
 impl Switches for Fifth {
@@ -187,14 +187,14 @@ impl Switches for Fifth {
 fn of_several_falls_within_one_long_polynomial_step_the_first_is_found() {
     let span = Span::new(0.0, 10.0, &[1.0, 0.0]);
     let (method, tolerance) = (Method::Taylor, Tolerance::both(1e-12));
-    // cos 5t falls eight times
+    // cos 5t decreases through zero eight times
     assert!(integrate(&Oscillator, method, &tolerance, &span, &mut ()).work.steps <= 4);
     let (_, event) = integrate_to_event(&Oscillator, method, &tolerance, &span, &Fifth, &mut ());
     let exact = std::f64::consts::PI / 10.0;
     assert!(event.is_some_and(|event| (event.time - exact).abs() < 1e-12), "{event:?}");
 }
 
-/// The step with the event is repeated to each trial time as one step, not as all the steps of the span.
+/// The step that contains the event is repeated to each trial time as a single step, not with all steps of the span.
 #[test]
 fn a_constant_step_is_computed_again_as_one_step() {
     let span = Span::new(0.0, 2.0, &[1.0, 0.0]);
@@ -205,7 +205,8 @@ fn a_constant_step_is_computed_again_as_one_step() {
     assert!(outcome.work.rates < 5_000, "{}", outcome.work);
 }
 
-/// A point that turns with the rate one, and the square of its distance from a line through the centre, less a little.
+/// A point that rotates at the rate one, and as signal the square of its distance from a line through the centre, minus
+/// a small constant.
 struct Even;
 
 impl<S: Over<f64> + Analytic> Ode<S> for Even {
@@ -220,7 +221,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for Even {
 
 impl System for Even {}
 
-/// The difference subtracted from the square.
+/// The constant subtracted from the square.
 const LESS: f64 = 1e-8;
 
 impl Switches for Even {
@@ -241,7 +242,7 @@ impl Switches for Even {
 
 #[test]
 fn a_distance_that_comes_to_zero_within_one_long_step_is_found() {
-    // the point has no series
+    // the law of the point has no series
     for method in ADAPTIVE.into_iter().filter(|method| *method != Method::Taylor) {
         let span = Span::new(0.0, 100.0, &[0.5]);
         let (outcome, event) = integrate_to_event(&Even, method, &Tolerance::both(1e-9), &span, &Even, &mut ());
@@ -251,7 +252,8 @@ fn a_distance_that_comes_to_zero_within_one_long_step_is_found() {
     }
 }
 
-/// The square of a distance that the motion of [`Even`] hardly changes, though motions in other directions would.
+/// The square of a distance that hardly changes in the motion of [`Even`], although motions in other directions would
+/// change it.
 struct Steady {
     own: f64,
 }
@@ -280,7 +282,7 @@ fn a_distance_that_the_motion_itself_does_not_change_is_not_looked_for_within_a_
     assert!(work(1.0).rates > alone.rates);
 }
 
-/// y' = -1/y: y^2 falls evenly, and y comes to zero with an infinite rate at t = 1/2.
+/// The law y' = -1/y: y^2 decreases linearly, and y reaches zero with infinite rate at t = 1/2.
 struct Falling;
 
 impl<S: Over<f64> + Analytic> Ode<S> for Falling {
@@ -315,7 +317,7 @@ fn a_zero_with_an_infinite_rate_is_an_event_and_no_collapse_of_the_step() {
     }
 }
 
-/// q'' = -1, which has no numbers for |q| < 1e-6: a position that its coordinates do not describe.
+/// The law q'' = -1, undefined for |q| < 1e-6: a position that the coordinates do not describe.
 struct Undescribed;
 
 impl<S: Over<f64> + Analytic> Ode<S> for Undescribed {

@@ -1,4 +1,4 @@
-//! A run that cannot reach its end says why, keeps its last good state, and never panics.
+//! A run that cannot reach its end reports the reason, keeps its last valid state, and never panics.
 
 use std::time::Instant;
 
@@ -54,7 +54,7 @@ fn a_solution_that_leaves_the_domain_of_its_law_is_named_so() {
     }
 }
 
-/// Embedded pairs square errors, and the squares overflow although rates and state do not.
+/// Embedded pairs square the errors, and these squares overflow although rates and state do not.
 #[test]
 fn a_step_below_rounding_is_named_so_however_large_the_errors_are() {
     for method in [Method::DormandPrince5, Method::DormandPrince8] {
@@ -72,7 +72,7 @@ fn both_pairs_find_a_stiff_problem_stiff() {
     for method in [Method::DormandPrince5, Method::DormandPrince8] {
         let outcome = run(&Kaps { lambda: 1e4 }, method, &Span::new(0.0, 10.0, &[1.0, 1.0]));
         assert!(matches!(outcome.failure(), Some(Failure::Stiff { .. })), "{method}: {:?}", outcome.failure());
-        // where few steps are left they are taken
+        // a run whose limit of steps is small uses all of them
         let outcome = run(&Kaps { lambda: 1e3 }, method, &Span::new(0.0, 1.0, &[1.0, 1.0]));
         assert!(outcome.reached(), "{method}: {:?}", outcome.failure());
     }
@@ -167,7 +167,8 @@ fn bad_data_are_refused_before_the_first_step() {
     assert_eq!(refusal(&fine, &span().with_evaluations(0)), Refusal::NoBudget);
 }
 
-/// x'' = -w^2 x: a step's Lipschitz number may be near w^2, the eigenvalue is w, and accuracy keeps the steps far below stability.
+/// The oscillator x'' = -w^2 x: the Lipschitz constant of a step may be near w^2, but the eigenvalue is w, and accuracy
+/// requires steps far below the stability limit.
 #[test]
 fn fast_oscillations_that_accuracy_resolves_are_not_stiff() {
     struct Fast;

@@ -1,4 +1,5 @@
-//! Laws with constraints: drift at rounding, orders of convergence as in theory, failures by name.
+//! Laws with constraints: the drift is of the order of rounding, orders of convergence agree with theory, and failures
+//! are named.
 
 use crate::problems::{Growth, LooseRim, Rim, distance};
 use dalembert_integrators::{
@@ -9,7 +10,7 @@ use field::{Analytic, DoubleDouble, Over};
 
 const SPAN: f64 = 2.0;
 
-/// Every method, with so many steps.
+/// Every method, with this number of steps.
 pub fn methods(steps: u32) -> [Index2Method; 8] {
     let radau = |stages| Index2Method::RadauIIA { stages, steps };
     let gauss = |stages| Index2Method::ProjectedGauss { stages, steps };
@@ -25,7 +26,7 @@ pub fn methods(steps: u32) -> [Index2Method; 8] {
     ]
 }
 
-/// The largest constraint after any step.
+/// An observer that records the largest constraint violation after any step.
 struct Drift<'a, S>(&'a mut f64, std::marker::PhantomData<S>);
 
 impl<S: Working> Observer<S> for Drift<'_, S>
@@ -91,7 +92,7 @@ fn a_start_off_the_constraint_is_brought_onto_it_by_the_first_step() {
     }
 }
 
-/// The rim with columns that do not act on its constraint: no multiplier can satisfy it.
+/// The law of the rim with columns that do not act on its constraint: no multiplier can satisfy it.
 struct Loose;
 
 impl<S: Over<f64> + Analytic> Index2Dae<S> for Loose {
@@ -183,7 +184,7 @@ fn a_projected_run_has_its_order_and_stays_on_the_constraint() {
     }
 }
 
-/// x constrained to sin t, and the area below it: y = (x, a), x' = z, a' = x, 0 = x - sin t.
+/// The variable x is constrained to sin t, and a is the area below it: y = (x, a), x' = z, a' = x, 0 = x - sin t.
 struct Led;
 
 impl Led {
@@ -214,7 +215,7 @@ impl<S: Over<f64> + Analytic> Index2Dae<S> for Led {
 
 impl Index2DaeSystem for Led {}
 
-/// The area below x with x' = cos t, without a constraint.
+/// The area below x for x' = cos t, without a constraint.
 struct Unled;
 
 impl<S: Over<f64> + Analytic> Ode<S> for Unled {

@@ -1,4 +1,4 @@
-//! The Jacobian by forward differentiation, over more components than one evaluation has directions.
+//! The Jacobian by forward differentiation, for more components than one evaluation has directions.
 
 use crate::problems::{Chain, Drive};
 use dalembert_integrators::{Jacobian, Ode};

@@ -1,4 +1,4 @@
-//! The methods on nonlinear problems with known solutions: one program, so that they share these.
+//! The methods applied to nonlinear problems with known solutions; one program, so that the tests share the problems.
 
 mod allocations;
 mod branches;

@@ -30,7 +30,7 @@ fn every_output_is_as_accurate_as_the_end() {
     }
 }
 
-/// Two outputs lie within two of the steps; 1000 outputs lie many in each step.
+/// Two outputs lie within two of the steps; with 1000 outputs, many lie in each step.
 #[test]
 fn outputs_change_no_step_and_are_as_accurate_as_steps() {
     let ellipse = Kepler { eccentricity: 0.3 };

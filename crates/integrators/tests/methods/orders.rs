@@ -14,7 +14,7 @@ fn kepler(method: Method, tolerance: f64) -> (f64, Work) {
     (distance(&outcome.state, &ECCENTRIC.state::<f64>(5.0)), outcome.work)
 }
 
-/// The error and work of a run in any working field, for the methods of this crate.
+/// The error and the work of a run in any scalar type, for the methods of this crate.
 fn kepler_in<S: Working>(method: Method, tolerance: f64) -> (f64, Work) {
     let span = Span::new(0.0, 5.0, &ECCENTRIC.state::<S>(0.0));
     let outcome = integrate_in(&ECCENTRIC, method, &Tolerance::both(tolerance), &span, &mut ());
@@ -56,7 +56,7 @@ fn runge_kutta_pairs_have_their_order() {
         (Method::Rodas4, 1e-7, 1e-10),
     ] {
         let measured = slope(kepler(method, coarse), kepler(method, fine));
-        // one step size more or less at the ends: of 13 steps this is much
+        // the number of steps is an integer: with 13 steps one more or less changes the measured order considerably
         assert_order(method, measured, 1.3);
     }
 }
@@ -77,7 +77,7 @@ fn collocation_has_order_2s_or_one_less() {
     }
 }
 
-/// All methods with error control, but Taylor's, which needs a series.
+/// All methods with error control except Taylor's, which needs a series.
 const ADAPTIVE: [Method; 12] = [
     Method::Rodas4,
     Method::BaderDeuflhard,
@@ -103,7 +103,7 @@ fn the_error_of_an_adaptive_method_is_proportional_to_its_tolerance() {
     }
 }
 
-/// Kepler's ellipse is its own mirror image: backwards from the pericentre every method takes the same steps.
+/// Kepler's ellipse is symmetric: backwards from the pericentre every method takes the same steps.
 #[test]
 fn a_run_backwards_costs_what_its_mirror_image_costs() {
     for method in ADAPTIVE {
@@ -115,7 +115,7 @@ fn a_run_backwards_costs_what_its_mirror_image_costs() {
     }
 }
 
-/// A law of the time alone: with a wrong node in its tableau any method has order 1.
+/// A law that depends on time only: if a node in its tableau is wrong, a method has order 1.
 #[test]
 fn a_law_that_depends_on_time_is_followed_as_well() {
     for method in ADAPTIVE {
@@ -128,7 +128,7 @@ fn a_law_that_depends_on_time_is_followed_as_well() {
     }
 }
 
-/// States have 2 to 160 components; methods keep the shorter ones in arrays.
+/// States have 2 to 160 components; the methods store short ones in arrays on the stack.
 #[test]
 fn a_state_of_any_length_is_followed_as_a_short_one_is() {
     for method in ADAPTIVE {
@@ -157,12 +157,12 @@ fn implicit_methods_follow_a_stiff_problem_with_few_steps() {
         let outcome = integrate(&Kaps { lambda: 1e5 }, method, &Tolerance::both(1e-7), &span, &mut ());
         let error = distance(&outcome.state, &exact);
         assert!(outcome.reached() && outcome.work.steps < 1000, "{method}: {:?} {}", outcome.failure(), outcome.work);
-        // the solution has fallen to e^-5, the tolerance is absolute
+        // the solution has decreased to e^-5, and the tolerance is absolute
         assert!(error < 5e-4, "{method}: {error:.1e}");
     }
 }
 
-/// Where only the stage order is left, the smooth solution is still followed in few steps.
+/// Where only the stage order counts, the smooth solution is still computed in few steps.
 #[test]
 fn implicit_methods_follow_prothero_and_robinson_at_any_stiffness() {
     for method in ADAPTIVE.into_iter().filter(|method| method.traits().implicit) {
@@ -176,7 +176,8 @@ fn implicit_methods_follow_prothero_and_robinson_at_any_stiffness() {
     }
 }
 
-/// Without df/dt the first substep excites the fast decay: 2,735 steps at a rate of 1e4 and the second tolerance.
+/// Without df/dt the first substep excites the fast decay: this took 2,735 steps at a rate of 1e4 with the second
+/// tolerance.
 #[test]
 fn extrapolation_takes_few_steps_where_a_stiff_law_is_driven_by_time() {
     for (rate, tolerance) in [1e2, 1e4, 1e6, 1e9].into_iter().flat_map(|rate| [(rate, 1e-8), (rate, 1e-12)]) {
@@ -195,7 +196,8 @@ fn own_methods_give_26_digits_in_double_double() {
     }
 }
 
-/// Twelve digits of a solution that adapts to its forcing at once: errors left by extrapolation would cost hundreds.
+/// Twelve digits of a solution that adapts to its forcing instantaneously: errors that extrapolation did not remove
+/// would cost hundreds of steps.
 #[test]
 fn bader_deuflhard_extrapolates_what_is_stiff_to_twelve_digits() {
     let law = Kaps { lambda: 1e5 };

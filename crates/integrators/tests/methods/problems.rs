@@ -1,9 +1,9 @@
-//! Nonlinear problems with known solutions, each written once for every field.
+//! Nonlinear problems with known solutions, each written once for all scalar types.
 
 use dalembert_integrators::{Index2Dae, Index2DaeSystem, Ode, Real, System};
 use field::{Analytic, DoubleDouble, Over};
 
-/// Kepler's problem: q'' = -q / |q|^3, with semi-major axis 1 and the pericentre at t = 0.
+/// Kepler's problem q'' = -q / |q|^3, with semi-major axis 1 and the pericentre at t = 0.
 pub struct Kepler {
     pub eccentricity: f64,
 }
@@ -26,7 +26,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for Kepler {
 impl System for Kepler {}
 
 impl Kepler {
-    /// The state at t by Kepler's equation u - e sin u = t, solved by Newton's iteration in the field.
+    /// The state at t by Kepler's equation u - e sin u = t, solved by Newton's iteration in the same scalar type.
     pub fn state<S: Real>(&self, t: f64) -> Vec<S> {
         let (t, e) = (S::lift(t), S::lift(self.eccentricity));
         let mut u = t;
@@ -40,7 +40,7 @@ impl Kepler {
     }
 }
 
-/// As many pendula as there are, each on its own: theta'' = -sin theta.
+/// A number of independent pendulums: theta'' = -sin theta.
 pub struct Pendula(pub usize);
 
 impl<S: Analytic> Ode<S> for Pendula {
@@ -81,7 +81,8 @@ impl Pendulum {
     }
 }
 
-/// Kaps' stiff problem: y1' = -(lambda + 2) y1 + lambda y2^2, y2' = y1 - y2 - y2^2, solved by y1 = y2^2, y2 = e^-t.
+/// Kaps' stiff problem y1' = -(lambda + 2) y1 + lambda y2^2, y2' = y1 - y2 - y2^2, with the solution y1 = y2^2, y2 =
+/// e^-t.
 pub struct Kaps {
     pub lambda: f64,
 }
@@ -107,7 +108,7 @@ impl Kaps {
     }
 }
 
-/// Prothero and Robinson's problem: y' = -rate (y - cos t) - sin t, solved by y = cos t at any rate.
+/// Prothero and Robinson's problem y' = -rate (y - cos t) - sin t, with the solution y = cos t for any rate.
 pub struct ProtheroRobinson {
     pub rate: f64,
 }
@@ -125,7 +126,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for ProtheroRobinson {
 
 impl System for ProtheroRobinson {}
 
-/// y' = y^2 from y(0) = 1: 1 / (1 - t), infinite at t = 1.
+/// The problem y' = y^2, y(0) = 1, with the solution 1 / (1 - t), which is infinite at t = 1.
 pub struct Explosion;
 
 impl<S: Over<f64> + Analytic> Ode<S> for Explosion {
@@ -140,7 +141,8 @@ impl<S: Over<f64> + Analytic> Ode<S> for Explosion {
 
 impl System for Explosion {}
 
-/// y' = -sqrt(y - t / 10) from y(0) = 1: has no rate once y has fallen to t / 10, at about t = 1.52.
+/// The problem y' = -sqrt(y - t / 10), y(0) = 1: the rate is undefined once y has decreased to t / 10, at about t =
+/// 1.52.
 pub struct Funnel;
 
 impl<S: Over<f64> + Analytic> Ode<S> for Funnel {
@@ -155,7 +157,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for Funnel {
 
 impl System for Funnel {}
 
-/// y' = cos(t) y^2 from y(0) = 1/2: y = 1 / (2 - sin t).
+/// The problem y' = cos(t) y^2, y(0) = 1/2, with the solution y = 1 / (2 - sin t).
 pub struct Drive;
 
 impl<S: Over<f64> + Analytic> Ode<S> for Drive {
@@ -176,7 +178,7 @@ impl Drive {
     }
 }
 
-/// Lorenz' equations: two neighbours part tenfold in about 2.5 units of time.
+/// Lorenz' equations: the distance of neighbouring solutions grows tenfold in about 2.5 units of time.
 pub struct Lorenz;
 
 impl<S: Over<f64> + Analytic> Ode<S> for Lorenz {
@@ -193,7 +195,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for Lorenz {
 
 impl System for Lorenz {}
 
-/// y' = rate * y: nothing happens at rate 0, everything at rate 1e200.
+/// The problem y' = rate * y: constant for the rate 0, and beyond all resolution for the rate 1e200.
 pub struct Growth {
     pub rate: f64,
 }
@@ -210,7 +212,8 @@ impl<S: Over<f64> + Analytic> Ode<S> for Growth {
 
 impl System for Growth {}
 
-/// A chain of `bars` pendulums of slowly different lengths, each driving the next, and a drive in time.
+/// A chain of `bars` pendulums of slightly different lengths, each of which drives the next one; the first is driven by
+/// a function of time.
 pub struct Chain {
     pub bars: usize,
     pub frequency: f64,
@@ -236,14 +239,15 @@ impl<S: Over<f64> + Analytic> Ode<S> for Chain {
 
 impl System for Chain {}
 
-/// The largest difference between two states, relative to the size of the second.
+/// The largest difference between two states, relative to the magnitude of the second.
 pub fn distance<S: Real>(a: &[S], b: &[S]) -> f64 {
     let size = b.iter().map(|b| b.approx().abs()).fold(f64::MIN_POSITIVE, f64::max);
     a.iter().zip(b).map(|(a, b)| (*a - *b).approx().abs()).fold(0.0, f64::max) / size
 }
 
-/// A point on the unit circle at the angle t + 0.3 sin t, pushed along it against friction, with both of its constraints:
-/// y = (q, v), q' = v + q mu, v' = F + q lambda, |q|^2 = 1, q.v = 0 (Gear, Gupta, Leimkuhler).
+/// A point on the unit circle at the angle t + 0.3 sin t, under a tangential force and friction, with the constraint on
+/// position and that on velocity: y = (q, v), q' = v + q mu, v' = F + q lambda, |q|^2 = 1, q.v = 0 (Gear, Gupta,
+/// Leimkuhler).
 pub struct Rim;
 
 const DRAG: f64 = 0.5;
@@ -285,7 +289,7 @@ impl<S: Over<f64> + Analytic> Index2Dae<S> for Rim {
 
 impl Index2DaeSystem for Rim {}
 
-/// The same point with Lagrange's multiplier of the twice differentiated constraint, so that its violation drifts.
+/// The same point with the Lagrange multiplier from the twice differentiated constraint, so that the constraint drifts.
 pub struct LooseRim;
 
 impl<S: Over<f64> + Analytic> Ode<S> for LooseRim {

@@ -1,4 +1,4 @@
-//! References agree with known solutions, and say so where they have too few digits.
+//! Reference solutions agree with known solutions, and report if they have too few digits.
 
 use crate::problems::{Chain, Explosion, Kaps, Kepler, Lorenz, Pendulum, distance};
 use dalembert_integrators::{
@@ -7,7 +7,7 @@ use dalembert_integrators::{
 use field::DoubleDouble;
 use std::time::Duration;
 
-/// The states of a reference that claims enough digits, and its second method.
+/// The states of a reference that claims enough digits, its error estimate, and its second method.
 fn trusted(system: &dyn System, span: &Span<'_, f64>) -> (Vec<Vec<DoubleDouble>>, f64, Method) {
     let reference = reference(system, span).unwrap_or_else(|failure| panic!("{failure}"));
     assert!(reference.is_trusted(), "{} digits", reference.digits);
@@ -17,7 +17,7 @@ fn trusted(system: &dyn System, span: &Span<'_, f64>) -> (Vec<Vec<DoubleDouble>>
 #[test]
 fn an_ellipse_is_known_to_as_many_digits_as_claimed() {
     let ellipse = Kepler { eccentricity: 0.5 };
-    // the pericentre 1/2 is exact in f64, the speed is not: its square is 3
+    // the pericentre 1/2 is exact in f64, the speed is not, since its square is 3
     let start: Vec<f64> = ellipse.state::<DoubleDouble>(0.0).iter().map(|y| y.hi()).collect();
     let ellipse = Rounded { start: start.clone() };
     let span = Span::new(0.0, 20.0, &start).with_outputs(&[5.0, 10.0, 20.0]);
@@ -29,7 +29,7 @@ fn an_ellipse_is_known_to_as_many_digits_as_claimed() {
     }
 }
 
-/// An ellipse that starts from rounded data: its energy and its angular momentum are still known.
+/// An ellipse with rounded initial data: its energy and its angular momentum are still known.
 struct Rounded {
     start: Vec<f64>,
 }

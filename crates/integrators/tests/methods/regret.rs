@@ -1,4 +1,4 @@
-//! Tests of costs and regrets.
+//! Tests of the costs of methods and of their regret, the excess over the cheapest one.
 
 use dalembert_integrators::{Regrets, Trial, cost};
 
@@ -27,7 +27,7 @@ fn nothing_is_read_beyond_the_points_and_nothing_off_a_failure() {
 
 #[test]
 fn a_method_that_does_more_for_a_looser_tolerance_is_taken_at_its_cheapest_point() {
-    // the cheaper run is the more exact one
+    // here the cheaper run is also the more accurate one
     let trials = trials(&[(50.0, 1e-5), (100.0, 1e-3)]);
     assert_eq!(cost(&trials, 1e-4), Some(50.0));
 }

@@ -1,4 +1,4 @@
-//! Compositions of two and of three flows, without knowledge of a system: orders, and refusals by name.
+//! Compositions of two and of three flows for a law about which nothing else is known: orders, and named refusals.
 
 use crate::problems::{Drive, Kepler, distance};
 use dalembert_integrators::{
@@ -7,8 +7,8 @@ use dalembert_integrators::{
 };
 use field::{DoubleDouble, Over};
 
-/// Kepler's problem in two pieces, the pull of the centre and the motion along straight lines; or in three, with the
-/// pull in two parts.
+/// Kepler's problem split into two parts, the attraction and the motion along straight lines; or into three, with the
+/// attraction in two parts.
 struct Parted {
     kepler: Kepler,
     pieces: usize,
@@ -50,7 +50,7 @@ where
     }
 
     fn substep(&self, piece: usize, length: S) -> S {
-        // with three pieces the pull is in two unequal parts
+        // with three parts the attraction is divided into two unequal ones
         match (self.0, piece) {
             (3, 0) => length * S::ratio(1, 3),
             (3, 2) => length * S::ratio(2, 3),
@@ -77,7 +77,7 @@ impl System for Parted {
     }
 }
 
-/// The error at t = 5 after so many steps.
+/// The error at t = 5 for a number of steps.
 fn error<S: Working>(pieces: usize, splitting: Splitting, steps: u32) -> f64 {
     let law = Parted { kepler: Kepler { eccentricity: 0.3 }, pieces };
     let span = Span::new(0.0, 5.0, &law.kepler.state::<S>(0.0));
@@ -99,7 +99,7 @@ fn compositions_of_two_and_of_three_flows_have_their_order() {
     }
 }
 
-/// Its coefficients are given to 25 digits: the order goes on where double precision has long ended.
+/// The coefficients are given to 25 digits: the error decreases with the order far below double precision.
 #[test]
 fn order_8_holds_down_to_19_digits() {
     for pieces in [2, 3] {
@@ -119,8 +119,8 @@ fn a_system_without_pieces_is_refused_by_name() {
     assert_eq!(end(method(0)), End::Stopped(Failure::Refused(Refusal::Steps { given: 0 })));
 }
 
-/// With chi_h = exp(h X_1 + h^2 X_2 + ..), its adjoint has the same odd X_q: a step has none of them below its order if the
-/// powers of its shares sum to zero, to the digits in which they are given.
+/// Let chi_h = exp(h X_1 + h^2 X_2 + ..); its adjoint has the same odd X_q. A step contains no odd X_q below its order
+/// if the sums of the q-th powers of its substeps are zero, up to the digits in which these are given.
 #[test]
 fn the_odd_powers_of_the_shares_below_the_order_sum_to_zero() {
     for splitting in Splitting::ALL {
@@ -139,7 +139,7 @@ fn the_piece_of_the_friction_goes_back_by_a_sixth_of_a_step_at_most() {
     }
 }
 
-/// Outputs that no whole number of steps reaches change only the step size.
+/// If outputs do not divide into whole steps, only the step size changes.
 #[test]
 fn steps_land_on_outputs_at_any_time() {
     let law = Parted { kepler: Kepler { eccentricity: 0.3 }, pieces: 2 };

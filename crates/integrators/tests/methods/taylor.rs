@@ -1,4 +1,4 @@
-//! Taylor's method on a series written by hand: the pendulum, with sine and cosine by their recurrences.
+//! Taylor's method with a series written by hand: the pendulum, with the recurrences of sine and cosine.
 
 use crate::problems::{Kepler, Pendulum, distance};
 use dalembert_integrators::{

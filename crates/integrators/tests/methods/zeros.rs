@@ -1,11 +1,11 @@
-//! Event location by every method on polynomials: all zeros are found, with steps of any length.
+//! Event location by every method on polynomials: all zeros are found, for steps of any length.
 
 use dalembert_integrators::{
     Event, Happening, Method, Ode, Signal, Span, Switches, System, TaylorSeries, Tolerance, integrate_to_event,
 };
 use field::{Analytic, Over};
 
-/// y' = p'(t), so that y = p(t): its coefficients from the constant one on.
+/// The law y' = p'(t), so that y = p(t); coefficients in ascending order.
 struct Polynomial(&'static [f64]);
 
 impl Polynomial {
@@ -35,7 +35,7 @@ impl System for Polynomial {
     }
 }
 
-/// The polynomial about a time, by repeated division.
+/// The polynomial expanded about a time, by repeated division.
 struct Shifted<'a> {
     of: &'a Polynomial,
     terms: Vec<[f64; 1]>,
@@ -64,10 +64,11 @@ impl TaylorSeries<f64> for Shifted<'_> {
     }
 }
 
-/// The polynomial and others beside it, each times a sign, so that zeros in both directions are falls.
+/// Signals: multiples of the polynomial by positive and negative factors, so that zeros crossed in either direction are
+/// found.
 struct Signs<'a> {
     of: &'a Polynomial,
-    /// Each with the level above which it is seen.
+    /// Each factor, with the level of noise below which its signal counts as zero.
     signs: Vec<(f64, f64)>,
     noise: f64,
 }
@@ -107,7 +108,8 @@ const METHODS: [Method; 13] = [
 
 const TOLERANCES: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 
-/// All events from one time to another: after each the run begins anew, against the sign that it had.
+/// All events between two times: after each event the integration starts anew, and the signal is watched in the
+/// direction opposite to its present sign.
 fn events(
     of: &Polynomial,
     method: Method,
@@ -134,7 +136,7 @@ fn events(
     }
 }
 
-/// Compares the zeros found with the expected ones; the noise below which a signal counts as zero may follow the
+/// Compares the zeros found with the expected ones. The noise below which a signal counts as zero may depend on the
 /// tolerance.
 fn check(of: &[f64], span: (f64, f64), expected: &[(f64, Happening)], (accuracy, noisy): (f64, bool)) {
     let of = Polynomial(of.to_vec().leak());
@@ -157,7 +159,7 @@ fn all_zeros_of_a_cubic_are_found_by_every_method_at_every_tolerance() {
     check(&[-24.0, -4.0, 6.0, 1.0], (-8.0, 4.0), &[-6.0, -2.0, 2.0].map(falls), (1e-2, false));
 }
 
-/// (t + 1) (t - 1) (t - 1.1) (t - 3) and its zeros backwards.
+/// The polynomial (t + 1) (t - 1) (t - 1.1) (t - 3), forwards and backwards.
 #[test]
 fn two_zeros_near_each_other_are_found_forwards_and_backwards() {
     let quartic = [-3.3, 4.1, 2.3, -4.1, 1.0];
@@ -166,7 +168,7 @@ fn two_zeros_near_each_other_are_found_forwards_and_backwards() {
     check(&quartic, (6.0, -4.0), &[3.0, 1.1, 1.0, -1.0].map(falls), (1e-2, false));
 }
 
-/// (t - 1)^2 (t + 2)^2: both zeros are double; and (t - 1)^4.
+/// The polynomials (t - 1)^2 (t + 2)^2, with two double zeros, and (t - 1)^4.
 #[test]
 fn zeros_of_even_multiplicity_touch_and_are_told_once() {
     let touches = |zero: f64| (zero, Happening::Touches);

@@ -1,4 +1,4 @@
-//! Steps of methods on modes with thresholds known from textbooks.
+//! Single steps of methods applied to modes, with thresholds known from textbooks.
 
 use algebra::complex::Rectangle;
 use algebra::real::Enclosure;
@@ -70,7 +70,7 @@ fn a_fading_mode_grows_under_explicit_methods_from_their_textbook_thresholds_on(
     assert_eq!(fates(&pair, &euler()), (vec![6.0 / 25.0], vec![-1, 1]));
 }
 
-/// (mu + 1)(mu^2 + 2 mu + 5) by its companion matrix.
+/// The polynomial (mu + 1)(mu^2 + 2 mu + 5), by its companion matrix.
 #[test]
 fn all_modes_together_have_the_least_threshold_and_every_stretch_its_judgement() {
     let matrix = [[0, 1, 0], [0, 0, 1], [-5, -7, -3]].map(|row| row.map(number).to_vec());
@@ -86,7 +86,7 @@ fn all_modes_together_have_the_least_threshold_and_every_stretch_its_judgement()
     assert_eq!(steps.at(0.5).map(|stretch| stretch.judgement), Some(Judgement::Invents));
 }
 
-/// mu^4 - 3 mu^2 - 4 = (mu^2 - 4)(mu^2 + 1).
+/// The polynomial mu^4 - 3 mu^2 - 4 = (mu^2 - 4)(mu^2 + 1).
 #[test]
 fn what_keeps_an_energy_has_its_eigenvalues_in_opposite_pairs() {
     let polynomial = [-4, 0, -3, 0, 1].map(number);
@@ -98,7 +98,7 @@ fn what_keeps_an_energy_has_its_eigenvalues_in_opposite_pairs() {
     assert_eq!(steps.cuts[0].to_f64(), 1.0);
 }
 
-/// mu^4 - 6 mu^2 + 25: mu^2 = 3 ± 4i, mu = ±(2 ± i).
+/// The polynomial mu^4 - 6 mu^2 + 25: mu^2 = 3 ± 4i, mu = ±(2 ± i).
 #[test]
 fn pairs_of_complex_squares_have_their_own_real_and_imaginary_parts() {
     let spectrum = Spectrum::of(&[25, 0, -6, 0, 1].map(number), true).expect("all are simple");

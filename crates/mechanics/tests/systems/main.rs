@@ -1,4 +1,4 @@
-//! Steps and stability, the museum of derivations, uniform rotations, servo constraints.
+//! Stability of steps, published errors in derivations, steady rotations, servo constraints.
 
 mod discrete;
 mod museum;

@@ -1,14 +1,15 @@
-//! Public faults, kept so that they stay rejected.
+//! Published errors, tested so that they remain detected.
 //!
-//! Appell's equations made by writing q'' for q' in the kinetic energy lose every term in the velocities: a particle in
-//! polar coordinates must give m (r'' - r th'^2) = Q_r.
+//! If Appell's equations are obtained by writing q'' for q' in the kinetic energy, all terms in the velocities are
+//! lost. A particle in polar coordinates must give m (r'' - r th'^2) = Q_r.
 
 use dalembert_mechanics::appell::appell;
 use dalembert_mechanics::differentiate::along;
 use field::{Analytic, Tangent};
 use proptest::prelude::*;
 
-/// S = m/2 |a|^2 of a particle at (r cos th, r sin th), from the place twice differentiated along the motion.
+/// The acceleration energy S = m/2 |a|^2 of a particle at (r cos th, r sin th), from the position differentiated twice
+/// along the motion.
 fn acceleration_energy(m: f64, q: [f64; 2], dq: [f64; 2], ddq: [Tangent<f64>; 2]) -> Tangent<f64> {
     type Once = Tangent<Tangent<f64>>;
     let state: [Once; 2] = std::array::from_fn(|i| Tangent::moving(Tangent::fixed(q[i]), Tangent::fixed(dq[i])));
@@ -31,7 +32,7 @@ proptest! {
         for (derived, known) in by_appell.into_iter().zip(expected) {
             prop_assert!((derived - known).abs() < 1e-12 * (1.0 + known.abs()));
         }
-        // the fault: T with q'' for q'
+        // the error: T with q'' for q'
         let wrong = appell(
             |[a, b]| (a * a + b * b * Tangent::fixed(r * r)) * Tangent::fixed(m / 2.0),
             [ddr, ddth],

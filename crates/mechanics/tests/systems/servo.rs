@@ -1,4 +1,4 @@
-//! Servo constraints on a speed and massless coordinates, against the equations that define the motion.
+//! Servo constraints on a speed, and massless coordinates, compared with the equations that define the motion.
 
 use dalembert_mechanics::constrained::combining::extended;
 use dalembert_mechanics::constrained::massless;
@@ -10,8 +10,9 @@ use dalembert_mechanics::constrained::{Constrained, Constraint, PointSystem, Sta
 use dalembert_mechanics::differentiate::along;
 use field::{Over, Rational, Tangent};
 
-/// A point on the curve y = x^2 and one on a line, at z, which is driven by the square of the first one's speed. A push along x,
-/// which the curve answers, keeps the speed of the second. The last coordinate follows the first point.
+/// A point on the curve y = x^2, and one on a line, at z, which is driven by the square of the first point's speed. A
+/// force along x, to which the curve reacts, makes the speed of the second point constant. The last coordinate is
+/// determined by the first point.
 struct Driven {
     last: Rational,
 }
@@ -72,17 +73,17 @@ fn a_control_leads_what_it_keeps_and_the_contacts_answer_it() {
     let (system, at) = (Driven { last: ratio(1, 4) }, state());
     let contacts = led::<2>();
     let found: Steered<_, 4, 1> = steered(&system, (&contacts, &led()), &at).expect("the contacts are independent");
-    // the contacts follow a programme of their own
+    // the contact constraints are prescribed functions of time
     let wanted = contacts.prescribed(&at, &of_contacts(&system, &at));
     assert_eq!(rates(&system, &at, found.acceleration), wanted);
-    // forces and control aside, only ideal reactions are left
+    // without forces and control only ideal reactions remain
     let (masses, force) = (system.masses(), system.force(&at));
     let [direction] = system.directions(&at);
     let reaction =
         std::array::from_fn(|i| masses[i] * found.acceleration[i] - force[i] - direction[i] * found.controls[0]);
     let parts = extended(masses, jacobian(&system, &at), reaction).expect("the contacts are independent");
     assert_eq!(parts.of_friction, [ratio(0, 1); 4]);
-    // along this very motion r is the rate of phi, and its own rate is the prescribed one
+    // along this motion r is the rate of phi, and the rate of r is the prescribed one
     let moving = State {
         time: Tangent::variable(at.time),
         place: along(at.place, at.velocity),

@@ -1,4 +1,4 @@
-//! Taylor series of solutions: sums and products for every law, for every width of a group.
+//! Taylor series of solutions, from recurrences of sums and products, for every law and every group width.
 
 use dalembert_series::{Equations, Fused, Recurrence};
 use field::{Analytic, Batch, DoubleDouble, Scalar};
@@ -48,7 +48,7 @@ fn more_rates_than_states_are_refused() {
     assert_eq!(refused, Untapeable::Shape { rates: 2, states: 1 });
 }
 
-/// A motor with many bars: currents times the field at their own angles.
+/// A motor with many bars: the currents multiplied by the field at their own angles.
 fn bars(count: usize) -> (Vec<Sym>, Vec<Sym>, Vec<Sym>) {
     let parameters = symbols(["a", "r", "l"]);
     let (state, rates) = bars_of(count, parameters);
@@ -110,7 +110,7 @@ fn more_quantities_than_columns_are_no_expansion() {
     assert!(recurrence.expansion::<f64, 8, 16>(&[1.0; 3], 5).is_none());
 }
 
-/// (1 - 1) y is dropped: symmetric bodies have such terms.
+/// The term (1 - 1) y is dropped; symmetric bodies have such terms.
 #[test]
 fn what_cancels_is_no_coefficient() {
     let [x, y] = symbols(["x", "y"]);
@@ -124,7 +124,8 @@ fn what_cancels_is_no_coefficient() {
     assert_eq!([0, 1, 2, 3].map(|k| series.coefficients(k)[0]), [1.0, 0.0, -0.5, 0.0]);
 }
 
-/// y_i' = c_i + l_i y_(i+1) + sum of w y_a y_b, with so many different products, one of them with a sum for a factor.
+/// The law y_i' = c_i + l_i y_(i+1) + sum of w y_a y_b, with a given number of different products; one of them has a
+/// sum as a factor.
 fn second_degree(states: usize, products: usize) -> (Vec<Sym>, Vec<Sym>) {
     let state: Vec<Sym> = (0..states).map(|i| Sym::symbol(&format!("z{i}"))).collect();
     let number = |i: usize, j: usize| Sym::ratio((7 * i + 5 * j) as i64 % 11 - 5, 13);
@@ -141,7 +142,8 @@ fn second_degree(states: usize, products: usize) -> (Vec<Sym>, Vec<Sym>) {
     (state, rates)
 }
 
-/// The same law with a reciprocal of a square, a product with it, a quotient, and a root of a product, each in a rate.
+/// The same law with one more term in each of four rates: a reciprocal of a square, a product with it, a quotient, and
+/// the root of a product.
 fn with_quotients(states: usize, products: usize) -> (Vec<Sym>, Vec<Sym>) {
     let (state, mut rates) = second_degree(states, products);
     let [first, second, third] = [state[0], state[1], state[2]];
@@ -194,7 +196,7 @@ fn same_series_over<S: Fused>((state, rates): &(Vec<Sym>, Vec<Sym>), within: f64
     }
 }
 
-/// In double-double; the groups of `W` choose the way.
+/// The test in double-double; the group width `W` determines the way of computation.
 fn rounded_from_an_order_on<const W: usize>((state, rates): (Vec<Sym>, Vec<Sym>)) {
     let exact = DoubleDouble::from;
     let (order, h) = (30, exact(0.125));
@@ -204,7 +206,7 @@ fn rounded_from_an_order_on<const W: usize>((state, rates): (Vec<Sym>, Vec<Sym>)
     full.expand(&begin, exact(0.0));
     let [mut whole, mut sum] = [(); 2].map(|()| begin.clone());
     full.sum(h, &mut whole);
-    // in descending order: values left behind by an earlier expansion would be as good
+    // in descending order, since otherwise values of an earlier expansion could hide an error
     for fine in [order, order - 1, 16, 5, 2, 1, 0] {
         assert_eq!(rounding.expand_rounding(&begin, exact(0.0), fine), fine.max(1));
         rounding.sum(h, &mut sum);
@@ -214,7 +216,7 @@ fn rounded_from_an_order_on<const W: usize>((state, rates): (Vec<Sym>, Vec<Sym>)
                 assert!((a - b).hi().abs() <= within, "{} states, {fine}: order {k}: {a:?} {b:?}", state.len());
             }
         }
-        // the first rounded term is the largest of them
+        // the first rounded term is the largest one
         for (i, (&a, &b)) in sum.iter().zip(&whole).enumerate() {
             let terms =
                 (fine.max(1) + 1..=order).map(|k| full.coefficients(k)[i].hi().abs().max(1e-3) * h.hi().powi(k as i32));
@@ -262,7 +264,7 @@ fn time_moves_in_a_small_system_too() {
     assert_eq!(found, [1.0, 0.0, 0.5, 0.0, 0.125, 0.0, 1.0 / 48.0]);
 }
 
-/// Every kind of step, squares and products with common factors among them.
+/// Every kind of step, including squares and products with common factors.
 fn mixed() -> Recurrence {
     let ([x, y, z], [a, b], time) = (symbols(["x", "y", "z"]), symbols(["a", "b"]), Sym::symbol("t"));
     let root = (Sym::int(3) + x * x * a).sqrt();
@@ -308,7 +310,8 @@ fn every_lane_has_the_last_terms_and_the_sum_of_its_own_series_at_any_order() {
     }
 }
 
-/// x_i' = c_i + sum_j c_ij x_j for the first states, so many long sums of the same quantities; the others rotate.
+/// The law x_i' = c_i + sum_j c_ij x_j for the first states, hence that many long sums of the same quantities; the
+/// other states rotate.
 fn alike(sums: usize) -> (Vec<Sym>, Vec<Sym>) {
     let state: Vec<Sym> = (0..9).map(|i| Sym::symbol(&format!("x{i}"))).collect();
     let all = |i: usize| {
@@ -351,7 +354,7 @@ fn the_squares_of_a_circle_point_come_to_one_where_they_count_alike() {
         let rates = [speed, -point.sin / (Sym::ONE + squares(other))];
         record(&[angle, speed], None, &[length], &rates).unwrap().size().0
     };
-    // those of the circle point itself are two; others are two squares and the quotient
+    // the length of the circle point itself needs two products; another one two squares and a quotient more
     assert_eq!([products(length), products(Sym::int(3))], [2, 5]);
 }
 

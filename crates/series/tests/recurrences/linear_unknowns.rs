@@ -1,4 +1,5 @@
-//! Series of laws whose rates contain the unknowns of linear equations, against the same laws without them.
+//! Series of laws whose rates contain the unknowns of linear equations, compared with the same laws without such
+//! unknowns.
 
 use dalembert_series::{Equations, Fused, Recurrence};
 use field::{Analytic, Batch, DoubleDouble, Scalar, Tangent};

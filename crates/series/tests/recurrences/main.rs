@@ -1,4 +1,4 @@
-//! Series of solutions, against known ones and against other ways of computing them.
+//! Series of solutions, compared with known ones and with other ways of computing them.
 
 mod known;
 mod linear_unknowns;
