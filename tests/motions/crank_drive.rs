@@ -1,5 +1,5 @@
-//! The electromechanical drive as a text model: the fates of its runs agree with theory, its energy with the work, its law with the
-//! experiment's.
+//! The electromechanical drive as a text model: the outcomes of its runs agree with theory, its energy with the work,
+//! and its law with that of the experiment.
 
 use super::knowledge::{by, open, run};
 use dalembert_derivations::studies::AnyScene;
@@ -42,7 +42,7 @@ fn every_run_ends_as_it_should_and_is_diagnosed_by_name() {
     assert_eq!(std::fs::read_dir("scenes/drive").expect("it is there").count(), scenes.len() + 1, "beside references");
 }
 
-/// Euler's run is excluded, since it violates the constraint grossly.
+/// Euler's run is excluded, since it violates the constraint strongly.
 #[test]
 fn the_energy_is_the_work_on_the_drive() {
     let scene = open("drive/stiff_diode");
@@ -52,7 +52,8 @@ fn the_energy_is_the_work_on_the_drive() {
     assert!(deviation.largest < 1e-6 * work, "{deviation:?}, work {work}");
 }
 
-/// The crate's Radau5 reuses factors of other steps, and Kvaerno's iteration may require less than rounding: both are handled.
+/// The project's Radau5 reuses factors from other steps, and Kvaerno's iteration may require a residual below rounding:
+/// both cases are handled.
 #[test]
 fn implicit_methods_meet_tight_tolerances_on_stiff_circuits() {
     for name in ["drive/stiff_diode", "drive/euler_bears"] {
@@ -67,7 +68,8 @@ fn implicit_methods_meet_tight_tolerances_on_stiff_circuits() {
     }
 }
 
-/// The stability limit of Euler's step has a short maximum, which a sampling at a hundred instants missed.
+/// As a function of the step size, the stability limit of Euler's method has a narrow maximum, which a sampling at a
+/// hundred instants missed.
 #[test]
 fn the_longest_step_that_euler_bears_is_found() {
     let (_, told) = run("drive/euler_bears");

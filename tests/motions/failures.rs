@@ -1,4 +1,4 @@
-//! The catalogue of failure: measured thresholds agree with theory, and no run returns NaN.
+//! The catalogue of numerical failures: measured thresholds agree with theory, and no run returns NaN.
 
 use dalembert_derivations::studies::failures::{self, Failing, Fate, Found};
 use std::path::Path;
@@ -39,7 +39,7 @@ fn nothing_that_is_tried_ends_in_a_number_that_is_none() {
     }
 }
 
-/// Every entry needs a method that fails, and one that survives.
+/// Every entry needs a method that fails, and a method that does not.
 #[test]
 fn in_every_way_something_fails_and_something_holds() {
     for (failing, found) in FOUND.iter() {
@@ -78,7 +78,7 @@ fn page(failing: &Failing, found: &Found) -> String {
     text + &format!("\n\n{advice}\n")
 }
 
-/// The text without numbers, since times and sizes vary between computers.
+/// The text with numbers removed, since times and magnitudes vary between computers.
 fn without_numbers(text: &str) -> String {
     let mut out = String::new();
     for word in text.split(' ') {

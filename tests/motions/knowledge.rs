@@ -1,4 +1,4 @@
-//! Scenes with known facts (`known_as`): their ends, compared with closed forms and theory.
+//! Scenes with known results (`known_as`): their ends, compared with closed forms and theory.
 
 use dalembert_derivations::studies::governors::{self, SPEED, growth};
 use integrators::{Failure, Method, Refusal};
@@ -19,13 +19,13 @@ pub fn by(scene: &dyn Modelled, choice: &Choice) -> (Trajectory, RunNotes) {
     (trajectory, told)
 }
 
-/// A scene by its own choice.
+/// The run of a scene with its own settings.
 pub fn run(name: &str) -> (Trajectory, RunNotes) {
     let scene = open(name);
     by(&*scene, &scene.run().choice())
 }
 
-/// (scene, the beginning of its diagnosis, if it ends early).
+/// Each entry is (scene, beginning of its diagnosis if it ends early).
 const SCENES: [(&str, Option<&str>); 5] = [
     ("governors/drum_programme", None),
     ("governors/blow_up", Some("blow-up in finite time: the wheel comes to the axis of the second disc")),
@@ -56,7 +56,8 @@ fn runs_agree_with_their_closed_forms() {
     }
 }
 
-/// The constraint on the wheel's place contains the balance of the torques; the speed follows from the equations of motion alone.
+/// The constraint on the wheel's position contains the balance of torques; the speed follows from the equations of
+/// motion only.
 #[test]
 fn the_second_shaft_keeps_its_speed() {
     for name in ["drum_programme", "between_discs"] {
@@ -67,7 +68,7 @@ fn the_second_shaft_keeps_its_speed() {
     }
 }
 
-/// No contact slips: R omega1 = rho omega2 at a drum, rho omega1 = (a - rho) omega2 between two discs.
+/// No contact slips: R omega1 = rho omega2 for a drum, rho omega1 = (a - rho) omega2 between two discs.
 #[test]
 fn the_other_shaft_is_as_fast_as_the_wheel_rolls() {
     type Ratio = fn(f64) -> f64;
@@ -89,7 +90,7 @@ fn a_blow_up_is_where_the_closed_form_says() {
     }
 }
 
-/// A long step would land on the other side of the axis, where the law has values again.
+/// A long step would end on the other side of the axis, where the law is defined again.
 #[test]
 fn no_method_steps_over_the_axis() {
     let scene = open("governors/blow_up");
@@ -110,7 +111,7 @@ fn no_method_steps_over_the_axis() {
     }
 }
 
-/// The rate of growth or decay over forty seconds of the motion, against linear theory.
+/// The rate of growth or decay over forty seconds of the motion, compared with linear theory.
 #[test]
 fn the_elastic_governor_leaves_or_regains_its_stationary_motion_as_fast_as_theory_says() {
     for (name, load) in [("elastic_stable", 20.0), ("elastic_unstable", 23.0)] {
@@ -136,7 +137,7 @@ fn the_elastic_governor_leaves_or_regains_its_stationary_motion_as_fast_as_theor
     }
 }
 
-/// Both laws depend on the time: torques that grow, and an alternating source.
+/// Both laws depend on time: by torques that grow, and by an alternating voltage.
 #[test]
 fn taylors_method_follows_laws_with_the_time_in_them() {
     for name in ["governors/released", "drive/euler_bears"] {
@@ -153,7 +154,7 @@ fn taylors_method_follows_laws_with_the_time_in_them() {
     }
 }
 
-/// Closed forms and theory hold for these equations alone: a file with others is refused.
+/// Closed forms and theory hold for these equations only: a file with other equations is rejected under a known name.
 #[test]
 fn a_file_with_other_equations_is_refused_under_a_known_name() {
     scenes::register(|_| ());

@@ -1,4 +1,4 @@
-//! Long tests on whole motions: work-precision study, catalogue of failure, mechanisms, model reduction, synchronism.
+//! Long tests of whole motions: work-precision study, catalogue of failures, mechanisms, model reduction, synchronism.
 
 mod atlas;
 mod crank_drive;

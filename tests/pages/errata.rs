@@ -1,4 +1,5 @@
-//! Known errata of the papers in Rust: whether the program finds the corrections when the typed ones are withheld.
+//! Known errata of the papers that are written in Rust: whether the program finds the corrections if the known ones are
+//! withheld.
 
 use claims::catalogue::papers;
 use claims::{Claim, Condition, Line, Page, Statement, Verdict};
@@ -8,23 +9,24 @@ use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 use symbolic::{Hypotheses, Sym, decide};
 
-/// The papers whose errata are typed in.
+/// The papers whose errata are recorded.
 const PAPERS: [&str; 3] = ["konosevich2022", "manglieva2022", "mukharlyamov2007"];
 
-/// One in this many errata is tried; all with `EVERY_ERRATUM=1`, those whose name contains a text with `ERRATUM=text`.
+/// The test tries one erratum out of this number; all with `EVERY_ERRATUM=1`, those whose name contains a text with
+/// `ERRATUM=text`.
 const STEP: usize = 12;
 
 /// The time limit for one equation.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// The outcome for an entry of the ledger that is refuted.
+/// The outcome for a refuted entry of the ledger.
 enum Outcome {
-    /// The entry is an implication, or an equation whose print was not recorded as an equation.
+    /// The entry is an implication, or an equation whose printed form was not recorded as an equation.
     NoFormula(String),
     Missed,
     Found {
         edits: String,
-        /// Whether every found equation is one of the typed correction.
+        /// Whether every equation found is one of the recorded correction.
         is_typed: bool,
     },
 }
@@ -63,7 +65,7 @@ fn outcome(page: &Page, claim: &Claim) -> Outcome {
     Outcome::Found { edits: edits.join(", "), is_typed }
 }
 
-/// Whether the typed correction has an equality, which edits of a formula could give.
+/// Whether the recorded correction contains an equality, which edits of a formula could produce.
 fn is_equation(typed: Option<&Claim>) -> bool {
     match typed.map(|typed| &typed.statement) {
         Some(Statement::Equations { .. }) => true,
@@ -74,9 +76,9 @@ fn is_equation(typed: Option<&Claim>) -> bool {
     }
 }
 
-/// Whether a corrected equation is one of the typed correction, up to a number.
+/// Whether a corrected equation is one of the recorded correction, up to a constant factor.
 fn is_typed(claim: &Claim, found: &Line, known: &Hypotheses) -> bool {
-    // any two identities have the difference zero
+    // the difference of any two identities is zero, so that they cannot be distinguished
     if decide(found.printed(), &Hypotheses::none()).is_zero() {
         return false;
     }
@@ -121,7 +123,7 @@ fn known_errata_are_corrected_as_they_were_by_hand() {
     println!("{counts:?}");
     let of = |word: &str| counts.get(word).copied().unwrap_or_default();
     let found = of("found") + of("found in another form");
-    // most of those that have one; the table in the book has all of them
+    // most of those that have one; the table in the book contains all of them
     let [above, below] = if all { [9, 10] } else { [3, 4] };
     assert!(found > 0 && below * found >= above * (found + of("not found")), "{counts:?}");
 }

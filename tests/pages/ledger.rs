@@ -1,4 +1,4 @@
-//! The second gate: snapshots of the ledger as pages for review, one for each section of a paper.
+//! The second check: snapshots of the ledger as pages for review, one for each section of a paper.
 
 use claims::catalogue::papers;
 use claims::{Judged, Verdict, render};
@@ -6,10 +6,11 @@ use dalembert_derivations as _;
 use std::collections::HashSet;
 use std::sync::LazyLock;
 
-/// The greatest size of a page that a reviewer reads at one sitting.
+/// The greatest size of a page, so that a reviewer can read it at once.
 const MOST_BYTES: usize = 20 * 1024;
 
-/// Each paper with its claims, judged once, each paper in a thread, since expressions stay in their thread.
+/// Each paper with its claims, which are checked once. Each paper has its own thread, since expressions cannot leave
+/// their thread.
 static JUDGED: LazyLock<Vec<(&str, Vec<Judged>)>> = LazyLock::new(|| {
     std::thread::scope(|scope| {
         let running = papers().into_iter().map(|paper| (paper.key, scope.spawn(|| (paper.page)().judge())));

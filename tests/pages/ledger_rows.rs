@@ -1,4 +1,4 @@
-//! Every row of the ledger must be understandable alone: tests of all its sentences.
+//! Every row of the ledger must be understandable on its own: tests of all its sentences.
 
 use claims::catalogue::papers;
 use claims::{Judged, Verdict};
@@ -32,7 +32,7 @@ fn none(fault: &str, at_fault: impl Fn(&Judged) -> bool) {
     assert!(offenders.is_empty(), "{} rows {fault}:\n{}", offenders.len(), offenders.join("\n"));
 }
 
-/// The visible text of a row: its sentence and the remarks beside it.
+/// The visible text of a row: its sentence and the remarks with it.
 fn sentences(row: &Judged) -> [&str; 4] {
     [&row.says, &row.why, &row.reading, &row.note]
 }
@@ -70,7 +70,8 @@ fn nothing_is_called_the_same_that_is_not_named() {
     none("point to the same that is not named", |row| sentences(row).into_iter().any(points_into_the_air));
 }
 
-/// "The same" without a noun after it, or as what begins a sentence; "the same as ..." names what it means.
+/// Whether the text contains "the same" without a noun after it, or at the start of a sentence; "the same as ..." is
+/// allowed, since it names what is meant.
 fn points_into_the_air(text: &str) -> bool {
     let lower = text.to_lowercase();
     let without_noun = |rest: &str| {

@@ -1,4 +1,4 @@
-//! Verdicts on papers that are files: snapshots for review, and comparison with these papers in Rust.
+//! Verdicts on papers given as files: snapshots for review, and comparison with the same papers in Rust.
 
 use claims::catalogue::papers;
 use claims::{Statement, Verdict};
@@ -7,7 +7,7 @@ use manuscript::{Finding, PaperText};
 use std::path::{Path, PathBuf};
 use symbolic::decide;
 
-/// Papers of their own, and those that stand beside a page in Rust, which the report shows.
+/// Papers that exist only as files, and those that also have a page in Rust; the report shows them.
 const FOLDERS: [&str; 2] = ["papers", "papers/beside_pages"];
 
 fn files() -> Vec<PathBuf> {
@@ -39,7 +39,7 @@ fn every_paper_that_is_a_file_reads_as_reviewed() {
     }
 }
 
-/// Claims that a file and a page in Rust both have: the file, its claim, the page, the claim there.
+/// Claims that occur both in a file and in a page in Rust: the file, its claim, the page, the claim there.
 const IN_BOTH: [(&str, &str, &str, &str); 33] = [
     ("manglieva2022_governor", "eq3.3/energy", "manglieva2022", "eq3.3/energy"),
     ("manglieva2022_governor", "eq3.3/condition", "manglieva2022", "eq3.3/equations"),
@@ -69,7 +69,7 @@ const IN_BOTH: [(&str, &str, &str, &str); 33] = [
     ("mukharlyamov2007_varying", "eq19/first", "mukharlyamov2007", "eq19/first"),
     ("mukharlyamov2007_varying", "eq19/second", "mukharlyamov2007", "eq19/second"),
     ("mukharlyamov2007_varying", "eq19/denominator", "mukharlyamov2007", "eq19/denominator"),
-    // the published disc: its three equations are the lines of one claim there
+    // the published disc: its three equations are the lines of one claim of the page
     ("rolling_disc", "eq3", "principles", "museum/disc#1"),
     ("rolling_disc", "eq4", "principles", "museum/disc#2"),
     ("rolling_disc", "eq5", "principles", "museum/disc#0"),
@@ -91,14 +91,14 @@ fn a_file_and_a_page_in_rust_have_the_same_verdicts() {
             let here = here.unwrap_or_else(|| panic!("{key} has no claim {of_file}"));
             let (there, is_corrected) = verdict_in_rust(paper, of_page);
             assert_eq!(here.judged.verdict, there, "{key}/{of_file}: {}", here.text());
-            // the typed correction is found from the printed formula
+            // the recorded correction is found from the printed formula
             let is_found = !here.corrections.is_empty();
             assert_eq!(is_found, is_corrected && there == Verdict::Refuted, "{key}/{of_file}: {}", here.text());
         }
     }
 }
 
-/// The verdict on a claim of a page, `entry#line` on one of its equations, and whether it has a proved correction.
+/// The verdict on a claim of a page (`entry#line` for one of its equations), and whether it has a proved correction.
 fn verdict_in_rust(paper: &str, id: &str) -> (Verdict, bool) {
     let paper = papers().into_iter().find(|one| one.key == paper).expect("it is linked");
     let page = (paper.page)();

@@ -1,4 +1,4 @@
-//! Conformance of every motor of the catalogue and of the scenes, as a page for review.
+//! The conformance checks for every motor of the catalogue and of the scenes, as a page for review.
 
 use dalembert_derivations::studies::conformance::{conform, page, sample};
 use dalembert_derivations::studies::scene::Scene;
@@ -14,7 +14,7 @@ fn compare(name: &str, page: &str) {
     settings.bind(|| insta::assert_snapshot!(name, page));
 }
 
-/// Motors that are written in scenes, by the names of their files.
+/// Motors that are written in scene files, by the names of the files.
 fn written() -> Vec<(String, Scene)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/machines");
     let mut files: Vec<_> = std::fs::read_dir(&folder)

@@ -9,14 +9,14 @@ pub fn with_bars(name: &str, bars: usize) -> Motor {
     catalogue::sampled(name, |_| 0.7, bars).unwrap_or_else(|| panic!("{name} is in the catalogue"))
 }
 
-/// A machine of the catalogue with these data by their names, and with this number of bars or the like.
+/// A machine of the catalogue with these data by name, and with this number of bars (or of other repeated parts).
 pub fn with_data(name: &str, data: &[(&str, f64)], count: usize) -> Motor {
     let value = |name: &str| data.iter().find(|(known, _)| *known == name).map(|(_, value)| *value);
     let motor = catalogue::sampled(name, |quantity| value(&quantity.name).expect("it is given"), count);
     motor.unwrap_or_else(|| panic!("{name} is in the catalogue"))
 }
 
-/// Numbers for the data of a machine and for a state, enough for any machine.
+/// Numbers for the data of a machine and for a state; there are enough of them for any machine.
 #[derive(Clone, Debug)]
 pub struct Sample {
     data: Vec<f64>,
@@ -41,7 +41,7 @@ pub fn every_machine(sample: &Sample) -> impl Iterator<Item = Motor> {
 }
 
 impl Sample {
-    /// The first numbers of a state: w, v of length one, then whatever the machine has.
+    /// A state: w, v of length one, then further components as the machine requires.
     pub fn state(&self, dimension: usize) -> Vec<f64> {
         let mut state: Vec<f64> = self.state.iter().copied().cycle().take(dimension).collect();
         if let Some(vertical) = state.get_mut(3..6) {

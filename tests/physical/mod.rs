@@ -1,4 +1,4 @@
-//! Random gyrostats made of mass points, which are therefore admissible, and every machine with random data.
+//! Random gyrostats composed of mass points, so that their bodies can exist, and every machine with random data.
 
 #![allow(dead_code, reason = "each test uses its part")]
 
@@ -16,7 +16,7 @@ use proptest::test_runner::RngSeed;
 
 pub type Vector = Vector3<Rational>;
 
-/// A configuration with a fixed seed: every run has equal random cases.
+/// A configuration with a fixed seed: every run tests the same random cases.
 pub fn fixed(cases: u32) -> ProptestConfig {
     ProptestConfig { cases, rng_seed: RngSeed::Fixed(1834), failure_persistence: None, ..ProptestConfig::default() }
 }
@@ -30,19 +30,20 @@ pub struct MassPoint {
 /// Two rigid bodies as lists of mass points.
 #[derive(Clone, Debug)]
 pub struct Bodies {
-    /// places from O
+    /// The points of the carrier; positions relative to O.
     pub carrier: Vec<MassPoint>,
-    /// places from C': rings about the axis, each of four points, in pairs on both sides of C'
+    /// The points of the rotor; positions relative to C'. They form rings about the axis, each of four points, in pairs
+    /// on both sides of C'.
     pub rotor: Vec<MassPoint>,
-    /// h
+    /// The position h of the rotor's centre.
     pub centre: Vector,
-    /// l
+    /// The unit vector l of the rotor's axis.
     pub axis: Vector,
     pub gravity: Rational,
 }
 
 impl Bodies {
-    /// The data of the bodies, each from its definition as a sum.
+    /// The data of the bodies, each computed from its definition as a sum.
     pub fn gyrostat(&self) -> Gyrostat<Rational> {
         let (mass, spin) = (total_mass(&self.rotor), inertia(&self.rotor));
         let axial = self.axis.dot(&(spin * self.axis));
@@ -64,12 +65,12 @@ impl Bodies {
     }
 }
 
-/// The sum of m.
+/// The total mass: the sum of m.
 pub fn total_mass(points: &[MassPoint]) -> Rational {
     points.iter().fold(Rational::zero(), |sum, p| sum + p.mass)
 }
 
-/// The sum of m (r.r 1 - r r^T).
+/// The inertia tensor: the sum of m (r.r 1 - r r^T).
 pub fn inertia(points: &[MassPoint]) -> Matrix3<Rational> {
     let of = |r: Vector| Matrix3::identity() * r.dot(&r) - r * r.transpose();
     points.iter().map(|p| of(p.place) * p.mass).sum()
@@ -84,7 +85,7 @@ pub fn vector(numerators: std::ops::Range<i64>, denominator: i64) -> impl Strate
     [component(), component(), component()].prop_map(Vector3::from)
 }
 
-/// Three axes, right-handed, as the columns of a rotation.
+/// Three orthonormal, right-handed axes as the columns of a rotation matrix.
 pub fn axes() -> impl Strategy<Value = Matrix3<Rational>> {
     [-4..5i64, -4..5, -4..5, 1..5].prop_map(|q| quaternion(q.map(Rational::int)))
 }
@@ -95,7 +96,7 @@ fn carrier() -> impl Strategy<Value = Vec<MassPoint>> {
     prop::collection::vec(point, 4..7).prop_filter("not on a line", |p| !determinant(&inertia(p)).is_zero())
 }
 
-/// A ring of four points about the third axis, and its image on the other side.
+/// A ring of four points about the third axis, and its mirror image on the other side.
 fn rings(frame: Matrix3<Rational>, mass: Rational, radius: Rational, height: Rational) -> Vec<MassPoint> {
     let (o, r) = (Rational::zero(), radius);
     [(r, o), (o, r), (-r, o), (o, -r)]
@@ -104,7 +105,7 @@ fn rings(frame: Matrix3<Rational>, mass: Rational, radius: Rational, height: Rat
         .collect()
 }
 
-/// Any bodies, from a disc to a drum as rotor.
+/// Arbitrary bodies; the rotor may be anything from a disc to a drum.
 pub fn bodies() -> impl Strategy<Value = Bodies> {
     let ring = || (fraction(1..12, 8), fraction(1..8, 10), fraction(0..8, 10));
     let rotor = (axes(), ring(), ring()).prop_map(|(frame, a, b)| {
@@ -115,12 +116,12 @@ pub fn bodies() -> impl Strategy<Value = Bodies> {
         .prop_map(|(carrier, (rotor, axis), centre, gravity)| Bodies { carrier, rotor, centre, axis, gravity })
 }
 
-/// Any admissible gyrostat.
+/// A random gyrostat whose bodies can exist.
 pub fn gyrostat() -> impl Strategy<Value = Gyrostat<Rational>> {
     bodies().prop_map(|bodies| bodies.gyrostat())
 }
 
-/// The data in another field.
+/// The data in another scalar type.
 pub fn seen<S: Scalar>(g: &Gyrostat<Rational>, number: impl Fn(Rational) -> S + Copy) -> Gyrostat<S> {
     Gyrostat {
         carrier: Carrier {
@@ -144,7 +145,7 @@ pub fn rounded(g: &Gyrostat<Rational>) -> Gyrostat<f64> {
     seen(g, Rational::to_f64)
 }
 
-/// The gyrostat in double-double, in which the axis has length one to 31 digits and not only to 16.
+/// The gyrostat in double-double, with the axis normalised to 31 digits instead of 16.
 pub fn rounded_twice(g: &Gyrostat<Rational>) -> Gyrostat<DoubleDouble> {
     seen(g, |x| {
         let big = x.to_big().expect("no division by zero");
@@ -153,7 +154,7 @@ pub fn rounded_twice(g: &Gyrostat<Rational>) -> Gyrostat<DoubleDouble> {
     })
 }
 
-/// Any instant, with independent velocities, accelerations and torque.
+/// A random instant, with independent velocities, accelerations and torque.
 pub fn motion() -> impl Strategy<Value = MotionInstant<Rational>> {
     let number = || fraction(-30..31, 7);
     (vector(-30..31, 7), axes(), number(), vector(-30..31, 7), number(), number()).prop_map(

@@ -1,4 +1,4 @@
-//! Steady rotations of a gyrostat by two methods: the polynomial of its tensor, and the search over boxes on a text model.
+//! Steady rotations of a gyrostat by two methods: the polynomial of its tensor, and the box search on a text model.
 
 use algebra::real::{Enclosure, Root};
 use dalembert_derivations::studies::stationary::energies::{Energies, Kept};
@@ -11,23 +11,25 @@ use scenes::{Task, parse_titled};
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-/// Directions of the vertical nearer than this to the third axis of the carrier are left out, rad: Euler's angles are singular there.
+/// Directions of the vertical closer than this to the third axis of the carrier, rad, are omitted, since Euler's angles
+/// are singular there.
 const POLE: f64 = 1e-3;
 
 /// The greatest number of boxes that are examined.
 const BOXES: usize = 200_000;
 
-/// The directions of the vertical in the carrier by both methods.
+/// The directions of the vertical relative to the carrier, by both methods.
 pub struct Compared {
     pub by_polynomial: Vec<Vector3<f64>>,
     pub by_boxes: Vec<Vector3<f64>>,
-    /// Whether the search over boxes left nothing undecided.
+    /// Whether the box search left no box undecided.
     pub is_complete: bool,
     pub examined: usize,
 }
 
 impl Compared {
-    /// The largest distance of a direction by one method from the nearest of the other; `None` where their numbers differ.
+    /// The largest distance of a direction found by one method from the nearest one of the other; `None` if their
+    /// numbers differ.
     pub fn distance(&self) -> Option<f64> {
         let nearest = |v: &Vector3<f64>, all: &[Vector3<f64>]| {
             all.iter().map(|other| (other - v).norm()).fold(f64::INFINITY, f64::min)
@@ -38,7 +40,7 @@ impl Compared {
     }
 }
 
-/// A text of the bodies of a gyrostat with Euler's angles; the rotor's speed is that of a cyclic coordinate.
+/// A text model of the bodies of a gyrostat in Euler's angles; the rotor's speed is that of a cyclic coordinate.
 pub fn text(bodies: &Gyrostat<f64>) -> String {
     let Gyrostat { carrier, rotor, gravity } = bodies;
     let (c, h, axis, inertia) = (carrier.centre, rotor.centre, rotor.axis, carrier.inertia);
@@ -99,7 +101,8 @@ inertia = { axes = "T", xx = "B", yy = "B", zz = "A" }
 theta = "1 rad"
 "#;
 
-/// Both methods for an angular velocity about the vertical and a rotor speed in the carrier, rad/s; `None` if rotations form families.
+/// The results of both methods for an angular velocity about the vertical and a relative rotor speed, rad/s; `None` if
+/// rotations form families.
 pub fn compared(bodies: &Gyrostat<Rational>, w: Rational, speed: Rational) -> Option<Compared> {
     let energies = Energies::of(bodies);
     let (tensor, share) = energies.quadratic(Kept::RelativeSpeed);

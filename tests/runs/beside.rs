@@ -42,7 +42,7 @@ fn scenes() -> Vec<(PathBuf, AnyScene)> {
     found
 }
 
-/// The largest distance of a column from that of another run, relative to its size.
+/// The largest distance of a column from that of another run, relative to its magnitude.
 fn apart(a: &Trajectory, b: &Trajectory) -> f64 {
     let sizes = |i: usize| b.rows.iter().map(|row| row[i].abs()).fold(0.0, f64::max);
     let all: Vec<f64> = (0..b.names.len()).map(sizes).collect();
@@ -52,7 +52,8 @@ fn apart(a: &Trajectory, b: &Trajectory) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Methods and numbers of steps with errors below 1/100 of every column's size, on every scene, and those with larger errors.
+/// The methods and numbers of steps with errors below 1/100 of every column's magnitude, on every scene, and those with
+/// larger errors.
 #[test]
 fn what_is_right_is_never_named() {
     let (mut right, mut wrong, mut named, mut failed) = (0, 0, 0, Vec::new());
@@ -101,7 +102,8 @@ fn no_scene_with_constant_steps_of_its_own_is_named() {
     assert!(seen > 0);
 }
 
-/// The blow-up of a governor, and (19) at p g2 = q g1: runs with constant steps end with the law, or jump over its end and are flagged.
+/// The blow-up of a governor, and (19) at p g2 = q g1: runs with constant steps either end where the law is undefined,
+/// or step over this point and are flagged.
 #[test]
 fn whoever_crosses_a_pole_is_named() {
     scenes::register(|_| ());

@@ -1,4 +1,4 @@
-//! The claimed error of a reference bounds its true error, wherever the solution is known in closed form.
+//! The claimed error of a reference bounds its true error, for all solutions that are known in closed form.
 
 use dalembert_derivations::studies::closed_forms::{ClosedForm, Lattice, Quadrature};
 use dalembert_derivations::studies::scene::Scene;
@@ -105,7 +105,7 @@ fn motions_from_two_points_of_one_curve_are_one() {
     close(second.at(Exact::ratio(4, 10)), first.at(Exact::ratio(7, 10)), 29.0);
 }
 
-/// u'' = f'(u)/2 in many small steps of Runge-Kutta 4.
+/// The solution of u'' = f'(u)/2 by many small steps of the classical Runge-Kutta method.
 fn stepped(f: [f64; 5], [mut u, mut v]: [f64; 2], time: f64) -> f64 {
     let (steps, slope) = (4000, |u: f64| (1..5).rev().fold(0.0, |sum, k| sum * u + k as f64 * f[k]) / 2.0);
     let h = time / f64::from(steps);

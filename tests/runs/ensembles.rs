@@ -1,4 +1,4 @@
-//! Ensembles: each member's run equals its single run, whatever the other members of its batch.
+//! Ensembles: each member's run equals its run alone, independently of the other members of its batch.
 
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
 use dalembert_derivations::studies::scene::Scene;
@@ -16,7 +16,7 @@ use simulation::ensemble::draw::Draw;
 use simulation::ensemble::{EnsembleScene, Row, Stopped};
 use std::ops::ControlFlow;
 
-/// The scene of the folder, with other machines too.
+/// The text of the scene file, with other machines too.
 fn text() -> String {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/ensembles/spread.toml");
     std::fs::read_to_string(path).expect("it is there")
@@ -39,7 +39,7 @@ fn short(members: u64) -> String {
     text().replace("members = 10000", &format!("members = {members}")).replace("span = \"0.5 s\"", "span = \"0.1 s\"")
 }
 
-/// The scene of a member as its own file would give it.
+/// The scene of a member, as its own file would describe it.
 fn single(text: &str, row: &Row) -> Scene {
     let mut one = Scene::parse("ensemble.toml", text).unwrap_or_else(|error| panic!("{error}"));
     let dalembert_derivations::studies::scene::Setup::Gyrostat(bodies) = &mut one.system else {
@@ -69,7 +69,7 @@ fn every_member_is_the_single_run_of_its_scene() {
         let steps = taylor.propagate(0.0, one.run.span, &mut problem.state).expect("it arrives");
         assert_eq!((steps, &row.stopped), (row.steps, &None));
         one.back(Axes::Second)(&mut problem.state);
-        // the slip comes from -150 rad/s: rounding is of that size, and grows a thousandfold
+        // the slip starts at -150 rad/s: rounding errors have this scale, and grow by a factor of a thousand
         for (a, b) in problem.state.iter().zip(&last.state) {
             assert!((a - b).abs() < 1e-12 * 150.0, "member {}: {a} {b}", row.number);
         }
@@ -78,7 +78,7 @@ fn every_member_is_the_single_run_of_its_scene() {
     }
 }
 
-/// phi' = g' + W with the member's own W.
+/// The relation phi' = g' + W with the member's own W.
 #[test]
 fn the_speed_of_the_rotor_is_its_slip_and_the_speed_of_the_members_own_field() {
     let field = "machine.field_speed = { from = \"100 rad/s\", to = \"150 rad/s\" }";
@@ -119,7 +119,7 @@ fn results_are_the_same_to_the_last_bit_with_any_number_of_threads() {
     let one = rows(&scene, 1);
     assert_eq!(one, rows(&scene, 3));
     assert!(one.iter().zip(1..).all(|(row, number)| row.number == number) && one.len() == 40);
-    // a run that begins later gives equal results
+    // a run that starts at a later member gives equal results
     let mut tail = Vec::new();
     scene.run(30..=40, 2, |row| {
         tail.push(row);
@@ -136,7 +136,7 @@ fn every_machine_and_both_systems_have_ensembles_that_agree_with_single_runs() {
     let counts = ["bars", "pole_pairs", "pull_out_slip"];
     for name in motor::catalogue::entries().into_iter().map(|entry| entry.name) {
         let all = short(9).replace("[start]", &format!("{data}\n[start]"));
-        // each machine takes the data that it has
+        // each machine uses the data that it has
         let known = |line: &str| {
             let key = line.split(" =").next().unwrap_or_default();
             !line.contains(" = \"") && !counts.contains(&key) || keys(name).contains(&key)
@@ -162,7 +162,7 @@ fn every_machine_and_both_systems_have_ensembles_that_agree_with_single_runs() {
     }
 }
 
-/// The data of a machine by their names.
+/// The data of a machine, by name.
 fn keys(name: &str) -> Vec<&'static str> {
     let windings = ["field_speed", "b0", "a1", "l1", "r1", "a2", "l2", "r2", "mu", "f", "bars"];
     match name {
@@ -187,7 +187,7 @@ fn members_that_cannot_exist_or_do_not_arrive_are_rows_with_a_reason() {
     let impossible = rows.iter().filter(|row| row.last.is_none()).count();
     assert!(impossible > 3 && impossible < 27 && rows.len() == 30, "{impossible}");
     assert!(rows.iter().all(|row| row.last.is_some() || row.stopped.as_ref().is_some_and(|why| why.contains("A'"))));
-    // a field that turns so fast that no step above rounding is short enough
+    // a field that rotates so fast that no step above the rounding limit is short enough
     let text = short(8).replace(
         "machine.b0 = { mean = \"0.15 N m\", deviation = \"0.01 N m\" }",
         "machine.field_speed = { from = \"1e200 rad/s\", to = \"1e300 rad/s\" }",
@@ -219,7 +219,7 @@ fn what_is_wrong_with_an_ensemble_is_told_at_its_place() {
     }
 }
 
-/// y' = p y, with infinite values where y overflows.
+/// The law y' = p y; it is infinite where y overflows.
 struct Growth {
     rates: Batch<4>,
     series: Vec<[Batch<4>; 1]>,
@@ -251,7 +251,7 @@ impl BatchSeries<4> for Growth {
     }
 }
 
-/// (p, y) of each at the start.
+/// The initial values (p, y) of each member.
 struct Starts<'a> {
     starts: &'a [(f64, f64)],
     next: usize,
@@ -273,7 +273,7 @@ impl Members for Starts<'_> {
 #[test]
 fn a_member_that_fails_disturbs_no_other_and_nobody_waits_for_the_slowest() {
     let rates = [1.0, -2.0, f64::NAN, 300.0, 0.0, 5e5, -1.0, 2.0, 3.0, -1e6];
-    // the last one would be infinite after the one step that takes it to the end
+    // the last one would be infinite after the single step that reaches the end
     let starts: Vec<(f64, f64)> = rates.iter().map(|rate| (*rate, 1.0)).chain([(1.0, 1e308)]).collect();
     let series = vec![[Batch::all(0.0)]; batch_order(1e-12) + 1];
     let mut members = Starts { starts: &starts, next: 0, ended: Vec::new() };
@@ -291,12 +291,12 @@ fn a_member_that_fails_disturbs_no_other_and_nobody_waits_for_the_slowest() {
             _ => assert!(failure.is_none() && (state / rate.exp() - 1.0).abs() < 1e-9, "{rate}: {state}"),
         }
     }
-    // the member with the fastest growth came in fourth, and is not among the first to leave
+    // the member with the fastest growth was the fourth to enter, and is not among the first to leave
     assert!(members.ended.iter().position(|end| end.0 == 4) > members.ended.iter().position(|end| end.0 == 5));
 }
 
-/// States after fifty steps of a batch of gyrostats with bars, one in each lane, all slightly different, numbered from
-/// `first`.
+/// The states after fifty steps of a batch of gyrostats with bars, one in each lane, all slightly different, with
+/// numbers starting at `first`.
 fn side_by_side<const L: usize, const FUSED: bool>(first: usize) -> Vec<Batch<L, FUSED>> {
     let lanes = |value: f64| Batch(std::array::from_fn(|lane| value * (1.0 + 1e-2 * (first + lane) as f64)));
     let form = SecondForm::new(

@@ -1,6 +1,6 @@
-//! Sliding with friction in every form of the equations, from one state over an interval without events: in Cartesian coordinates
-//! Lagrange's equations (first kind) and the regimes, in a chart Lagrange's equations (second kind) and Appell's, and the papers'
-//! printed equations as corrected.
+//! Sliding with friction by every form of the equations, from one state over an interval without events: in Cartesian
+//! coordinates by Lagrange's equations of the first kind and by the contact regimes; in a chart by Lagrange's equations
+//! of the second kind and by Appell's; and by the papers' printed equations after correction.
 
 use claims::{Claim, Line, Statement};
 use dalembert_derivations::papers::manglieva2022;
@@ -20,7 +20,7 @@ use symbolic::{Sym, Tape};
 const G: f64 = 9.81;
 const END: f64 = 0.1;
 
-/// A system with all contacts closed and sliding: forwards 1, backwards -1.
+/// A system with all contacts closed and sliding; the directions are 1 (forwards) and -1 (backwards).
 #[derive(Clone, Copy)]
 struct Sliding<Q, const C: usize, const K: usize> {
     closed: Closed<Q, C, K>,
@@ -28,7 +28,8 @@ struct Sliding<Q, const C: usize, const K: usize> {
 }
 
 impl<Q, const C: usize, const K: usize> Sliding<Q, C, K> {
-    /// The given force with the friction that goes with the normal reactions, which depend on it: a linear system.
+    /// The given force together with the friction of the normal reactions. These depend on the friction in turn, so
+    /// that a linear system is solved.
     fn force<S, const D: usize>(&self, at: &State<S, 4>) -> [S; 4]
     where
         Q: Contacts<4, C, K, Given = f64>,
@@ -59,7 +60,7 @@ impl<Q, const C: usize, const K: usize> Sliding<Q, C, K> {
     }
 }
 
-/// One or two equations, by columns.
+/// The solution of one or two linear equations, given by columns.
 fn cramer<S: Scalar, const K: usize>(columns: [[S; K]; K], right: [S; K]) -> [S; K] {
     if K == 1 {
         return [right[0] / columns[0][0]; K];
@@ -69,7 +70,7 @@ fn cramer<S: Scalar, const K: usize>(columns: [[S; K]; K], right: [S; K]) -> [S;
     std::array::from_fn(|k| if k == 0 { det(right, columns[1]) / whole } else { det(columns[0], right) / whole })
 }
 
-/// m x'' = X + R + lambda df/dx in all coordinates.
+/// Lagrange's equations of the first kind, m x'' = X + R + lambda df/dx, in all coordinates.
 struct FirstKind<Q, const C: usize, const K: usize, const D: usize>(Sliding<Q, C, K>);
 
 impl<Q, S, const C: usize, const K: usize, const D: usize> Ode<S> for FirstKind<Q, C, K, D>
@@ -100,7 +101,7 @@ impl<Q: Contacts<4, C, K, Given = f64>, const C: usize, const K: usize> InRegime
         self.0.ways.map(|way| if way > 0.0 { Direction::Forwards } else { Direction::Backwards })
     }
 
-    /// Whether the regime is the unique motion at a state.
+    /// Whether this regime is the only possible motion at a state.
     fn is_the_motion(&self, at: &State<f64, 4>) -> bool {
         let system = &self.0.closed.0;
         let dry = Dry::of(system, at, system.force(at)).expect("regular");
@@ -133,7 +134,7 @@ where
 
 impl<Q: Contacts<4, C, K, Given = f64>, const C: usize, const K: usize> Law for InRegime<Q, C, K> {}
 
-/// The sliding motion in the chart (q, p): by the equations of the second kind, or by Appell's.
+/// The sliding motion in the chart (q, p), by Lagrange's equations of the second kind or by Appell's.
 struct InChart<Q, const C: usize, const K: usize, const D: usize, const A: usize, const R: usize> {
     sliding: Sliding<Q, C, K>,
     appell: bool,
@@ -170,7 +171,8 @@ where
 {
 }
 
-/// Equations as a paper prints them: (angles and places, their rates)' by a tape of the printed expressions.
+/// Equations as printed in a paper, as a first-order system for the coordinates and their rates, evaluated by a tape of
+/// the printed expressions.
 struct Printed(Tape);
 
 impl<S: Analytic> Ode<S> for Printed {
@@ -186,7 +188,7 @@ impl<S: Analytic> Ode<S> for Printed {
 impl Law for Printed {}
 
 impl Printed {
-    /// The accelerations solved one after the other from equations that are linear in them.
+    /// The accelerations, solved in sequence from equations that are linear in them.
     fn new(state: &[&str], accelerations: &[&str], equations: Vec<Line>, data: &[(&str, i64, i64)]) -> Self {
         let data: Vec<(Sym, Sym)> =
             data.iter().map(|(name, n, d)| (Sym::symbol(name), Sym::constant(Rational::new(*n, *d)))).collect();
@@ -204,7 +206,7 @@ impl Printed {
     }
 }
 
-/// The equation of a claim of the paper; of a refuted claim, its correction.
+/// The equation of a claim of the paper; for a refuted claim, its correction.
 fn equation(id: &str) -> Line {
     let page = (manglieva2022::PAPER.page)();
     let of = |claim: &Claim| match &claim.statement {
@@ -228,7 +230,8 @@ fn close(found: &[f64], expected: &[f64], what: &str) {
     }
 }
 
-/// Runs all forms of a system; they agree, and the redundant ones keep the constraints. The last Cartesian state.
+/// Runs all forms of a system and asserts that they agree, and that redundant coordinates satisfy the constraints.
+/// Returns the final Cartesian state.
 fn agree<Q, const C: usize, const K: usize, const D: usize, const A: usize, const R: usize>(
     system: Q,
     ways: [f64; K],
@@ -263,7 +266,7 @@ where
     first
 }
 
-/// x, theta, x', theta'
+/// The initial state x, theta, x', theta'.
 const ROD: [f64; 4] = [0.0, 1.0, 2.0, 0.5];
 
 fn rod_as_printed(lines: [Line; 2]) -> Printed {
@@ -282,7 +285,7 @@ fn the_rod_slides_alike_in_every_form() {
     close(&expected, &last, "(1.29) as corrected");
 }
 
-/// The comparison is sensitive: the equation as printed gives another motion.
+/// The comparison is sensitive: the equation as printed gives a different motion.
 #[test]
 fn the_refuted_equation_of_the_rod_slides_differently() {
     let lines = ["manglieva2022/eq1.29/sliding", "manglieva2022/eq1.29/turning-corrected"].map(equation);

@@ -1,4 +1,5 @@
-//! Stored reference solutions: present for every scene, made by two methods, and recomputed where a scene has changed.
+//! Stored reference solutions: they exist for every scene, were computed by two methods, and are recomputed if a scene
+//! has changed.
 
 use dalembert_derivations::studies::AnyScene;
 use field::{DoubleDouble, Over};
@@ -11,10 +12,10 @@ use simulation::{Axes, Problem, Stored, references};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// The digits that every scene's reference has.
+/// The number of digits of every scene's reference.
 const DIGITS: f64 = 25.0;
 
-/// Scene files without text models, which are tested in `crates/scenes`.
+/// The scene files other than text models, which are tested in `crates/scenes`.
 fn files(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("the project has scenes");
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("it can be listed").path()).collect();
@@ -64,7 +65,7 @@ fn a_reference_is_not_taken_for_that_of_other_data() {
     let kept = std::fs::read_to_string(references::place(&file)).expect("it is kept");
     let kept = Stored::read(&kept).unwrap_or_else(|wrong| panic!("{wrong}"));
     let text = std::fs::read_to_string(&file).expect("the scene is there");
-    // the last digit of a moment of inertia, the load, a resistance
+    // change the last digit of a moment of inertia, the load, a resistance
     for (datum, other) in
         [("axial = \"2.4e-4 ", "axial = \"2.40000000000001e-4 "), ("f = \"1e-4 ", "f = \"1.00000001e-4 ")]
     {
@@ -92,14 +93,14 @@ fn what_is_written_is_read_again_to_the_last_digit() {
 
 #[test]
 fn references_that_are_made_again_are_those_that_are_kept() {
-    // scenes whose references take a second or two
+    // scenes whose references take one or two seconds
     let quick = ["spin_up", "/stiff_diode", "stiff_damper", "pull_out", "between_discs.", "volterra"];
     for (name, mut problem, kept) in
         all().into_iter().filter(|(name, ..)| quick.iter().any(|quick| name.contains(quick)))
     {
         problem.span = *kept.reference.times.last().expect("there are instants");
         let again = problem.reference(Duration::from_secs(600)).unwrap_or_else(|failure| panic!("{name}: {failure}"));
-        // other processors round functions otherwise, which moves a step, not the methods
+        // other processors round functions differently, which may change a step, but not the methods
         assert_eq!(again.methods, kept.reference.methods, "{name}");
         for (again, kept) in again.work.iter().zip(&kept.reference.work) {
             let apart = again.steps.abs_diff(kept.steps);
@@ -137,7 +138,7 @@ fn every_kept_reference_agrees_with_a_run_in_f64() {
     }
 }
 
-/// A system whose series keep all digits in all orders.
+/// A system whose series are computed in full precision at all orders.
 struct AllDigits<'a>(&'a dyn System);
 
 macro_rules! as_before {
@@ -199,7 +200,7 @@ fn what_series_in_double_double_round_to_f64_does_not_show_at_any_tolerance() {
         for tolerance in [1e-9, 1e-15, 1e-18, 1e-21, 1e-25, 1.003e-28, 1e-28] {
             let ((rounding, steps), (whole, _)) =
                 (off(&*problem.law, tolerance), off(&AllDigits(&*problem.law), tolerance));
-            // a step may err by the tolerance
+            // the error of a step may be as large as the tolerance
             assert!(
                 rounding <= 3.0 * whole + steps * tolerance,
                 "{name} at {tolerance:e}: {rounding:.1e}, {whole:.1e}"

@@ -17,7 +17,7 @@ fn problem(scene: &str) -> Problem {
     }
 }
 
-/// The end of the run from these states, in double-double.
+/// The final state of the run from these initial values, in double-double.
 fn end(law: &dyn System, start: &[DoubleDouble]) -> Vec<DoubleDouble> {
     let span = Span::new(0.0, SPAN, start);
     let outcome = integrate_in(law, Method::GraggBulirschStoer, &Tolerance::both(1e-24), &span, &mut ());
@@ -75,7 +75,8 @@ fn in_the_axes_of_the_data_the_matrix_keeps_the_length_of_the_vertical() {
         let run = problem.simulate(&Choice { tolerance: 1e-12, axes, ..scene.choice() }, |_| {});
         let matrix = problem.transition(1e-12).expect("a series");
         let (first, last) = (&run.rows[0], &run.last);
-        // d(v.v) = 0 for every change of the start that leaves v.v alone: v(end) M = v(start) in the columns of v
+        // d(v.v) = 0 for every change of the initial state that does not change v.v: v(end) M = v(start) in the columns
+        // of v
         for j in 0..matrix.len() {
             let carried: f64 = (3..6).map(|i| last[i] * matrix[i][j]).sum();
             let wanted = if (3..6).contains(&j) { first[j] } else { 0.0 };
@@ -84,7 +85,7 @@ fn in_the_axes_of_the_data_the_matrix_keeps_the_length_of_the_vertical() {
     }
 }
 
-/// x' = y, y' = x.
+/// The law x' = y, y' = x.
 struct Saddle;
 
 impl<S: Over<f64> + Analytic> Ode<S> for Saddle {
@@ -97,7 +98,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for Saddle {
     }
 }
 
-/// z' = cos t.
+/// The law z' = cos t.
 struct Carried;
 
 impl<S: Over<f64> + Analytic> Ode<S> for Carried {
@@ -110,7 +111,8 @@ impl<S: Over<f64> + Analytic> Ode<S> for Carried {
     }
 }
 
-/// At a saddle point the state is constant and only the derivatives change; for a law of the time alone the derivatives are constant.
+/// At a saddle point the state is constant and only the derivatives change; for a law that depends on time only the
+/// derivatives are constant.
 #[test]
 fn value_and_derivatives_are_followed_each_where_the_other_rests() {
     let (tolerance, span) = (Tolerance::both(1e-13), (0.0, 20.0));

@@ -1,9 +1,9 @@
-//! Bounds of data: every datum of every motor and scene that must be positive is judged, by its name.
+//! Bounds on the data: every datum of a motor or scene that must be positive is checked, and named in the message.
 
 use dalembert_derivations::studies::scene::Scene;
 use reader::{Allowed, Bound, Family};
 
-/// A motor of the catalogue on a bench, with the data of a small motor except for one.
+/// A motor of the catalogue on a bench, with the data of a small motor and one datum replaced.
 fn on_a_bench(model: &str, other: &str, value: &str, allowed: &str) -> String {
     let motor = dalembert_derivations::studies::conformance::sample(model).expect("it is in the catalogue");
     let numbers = motor.data().map(|(quantity, number)| {
@@ -67,11 +67,11 @@ fn masses_inductances_resistances_and_friction_of_every_scene_are_judged() {
             continue;
         }
         let text = std::fs::read_to_string(&path).expect("a scene is text");
-        // in text models, `crates/scenes` judges the masses that result from expressions
+        // for text models, `crates/scenes` checks the masses that result from expressions
         if text.contains("\n[coordinates]") {
             continue;
         }
-        // data of an ensemble, and parameters of text motors, are judged by the laws that contain them
+        // data of an ensemble, and parameters of text motors, are checked by the laws that contain them
         let end = text.find("[ensemble").or_else(|| text.find("[machine.parameters]")).unwrap_or(text.len());
         for line in text[..end].lines() {
             let Some((key, value)) = line.split_once(" = \"") else { continue };
@@ -81,7 +81,7 @@ fn masses_inductances_resistances_and_friction_of_every_scene_are_judged() {
             let (Some(number), true) = (number, units.iter().any(|unit| value.ends_with(&format!(" {unit}")))) else {
                 continue;
             };
-            // an angular momentum has the unit of friction, and a mutual inductance either sign
+            // an angular momentum has the unit of friction, and a mutual inductance may have either sign
             if ["gyroscope", "mutual"].contains(&key.trim()) {
                 continue;
             }

@@ -1,4 +1,5 @@
-//! The scenes of the project: each is read, conserves its integrals, has equal runs in both forms, and moves as described.
+//! The scenes of the project: each can be read, conserves its integrals, gives the same run in both forms, and moves as
+//! described.
 
 use dalembert_derivations::studies::scene::Scene;
 use integrators::Method;
@@ -17,7 +18,7 @@ fn all() -> Vec<(String, Scene)> {
     let files = std::fs::read_dir(folder).expect("the project has scenes");
     let mut names: Vec<String> = files
         .map(|file| file.expect("it can be listed").path())
-        // those with rough contacts have a folder and tests of their own
+        // scenes with friction contacts have their own folder and tests
         .filter(|path| path.is_file())
         .map(|path| path.file_stem().expect("it has a name").to_string_lossy().into())
         .collect();
@@ -25,14 +26,14 @@ fn all() -> Vec<(String, Scene)> {
     names.into_iter().map(|name| (name.clone(), scene(&name))).collect()
 }
 
-/// A run in the first form that must reach its end.
+/// A run in the first form, which must reach its end.
 fn run(scene: &Scene) -> Trajectory {
     let trajectory = scene.simulate(&scene.choice(), |_| ());
     assert!(trajectory.outcome.reached(), "{}: {:?}", scene.title, trajectory.outcome.end);
     trajectory
 }
 
-/// A column from some time on.
+/// The values of a column from a given time on.
 fn from(trajectory: &Trajectory, name: &str, start: f64) -> Vec<f64> {
     let column = trajectory.column(name).unwrap_or_else(|| panic!("no column {name}"));
     let rows = trajectory.times.iter().zip(&trajectory.rows);
@@ -73,7 +74,8 @@ fn a_state_of_either_form_turns_back_into_the_data() {
     }
 }
 
-/// The two forms share no axes and no formula for the accelerations; scenes with free rotors amplify a rounding error by 1e5.
+/// The two forms have neither axes nor formulas for the accelerations in common; scenes with free rotors amplify a
+/// rounding error by 1e5.
 #[test]
 fn both_forms_give_the_same_motion() {
     for (name, scene) in all() {
@@ -102,7 +104,7 @@ fn what_must_be_conserved_is_conserved() {
     }
 }
 
-/// The Jacobi integral of a synchronous motor without friction, which no scene has.
+/// The Jacobi integral of a synchronous motor without friction; no scene of the project has such a motor.
 #[test]
 fn a_synchronous_motor_without_friction_keeps_the_energy_in_the_turning_field() {
     let text =
@@ -145,7 +147,8 @@ fn the_hanging_rest_and_the_permanent_rotation_stay_near() {
     }
 }
 
-/// Without the push of 0.02 rad/s the rates vanish: the half-axis solves the conditions of a stationary motion.
+/// Without the perturbation of 0.02 rad/s the rates are zero: the initial state satisfies the conditions of a steady
+/// motion.
 #[test]
 fn the_permanent_rotation_is_stationary_without_its_push() {
     let mut scene = scene("permanent_rotation");

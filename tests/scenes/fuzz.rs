@@ -1,7 +1,8 @@
-//! For any scene file the reader terminates, with a scene or with messages that point into the text.
+//! For any scene file the reader terminates, with a scene or with messages whose positions lie in the text.
 //!
-//! The files are mutations of the project's own: pieces cut, doubled, exchanged, numbers and words replaced by others. A few
-//! thousand by default; a million by `PROPTEST_CASES=1000000 cargo test --release --test scenes fuzz`.
+//! The files are mutations of the project's own: pieces are deleted, duplicated or exchanged, numbers and words
+//! replaced. By default there are a few thousand; a million with `PROPTEST_CASES=1000000 cargo test --release --test
+//! scenes fuzz`.
 
 use dalembert_derivations::studies::AnyScene;
 use proptest::prelude::*;
@@ -11,7 +12,7 @@ use reader::Family;
 use simulation::Axes;
 use std::path::{Path, PathBuf};
 
-/// Words that are difficult for readers.
+/// Words that are likely to reveal errors of a reader.
 const WORDS: &[&str] = &[
     "0",
     "-0",
@@ -83,12 +84,12 @@ const WORDS: &[&str] = &[
     "members = 4294967296",
 ];
 
-/// A change of a text, at places that are parts of it.
+/// A change of a text, at positions given as fractions of its length.
 #[derive(Clone, Debug)]
 enum Tear {
     /// Deletes a piece.
     Cut(Index, Index),
-    /// Repeats a piece elsewhere.
+    /// Repeats a piece at another position.
     Double(Index, Index, Index),
     /// Inserts a word.
     Word(Index, Index),
@@ -96,7 +97,7 @@ enum Tear {
     Value(Index, Index),
     /// Exchanges two lines.
     Lines(Index, Index),
-    /// Replaces a letter.
+    /// Replaces a character.
     Letter(Index, char),
 }
 
@@ -112,7 +113,7 @@ fn tear() -> impl Strategy<Value = Tear> {
     ]
 }
 
-/// The start of a letter, or the end.
+/// The start of a character at this position, or the end of the text.
 fn place(text: &str, at: Index) -> usize {
     let mut place = at.index(text.len() + 1);
     while !text.is_char_boundary(place) {
@@ -121,7 +122,7 @@ fn place(text: &str, at: Index) -> usize {
     place
 }
 
-/// A range of at most a line or two.
+/// A range of at most about two lines.
 fn piece(text: &str, a: Index, b: Index) -> std::ops::Range<usize> {
     let (start, mut end) = (place(text, a), place(text, a) + b.index(80));
     while !text.is_char_boundary(end.min(text.len())) {
@@ -167,7 +168,7 @@ impl Tear {
     }
 }
 
-/// The scene files of a folder and of those in it.
+/// The scene files of a folder and its subfolders.
 fn scenes(folder: &Path, texts: &mut Vec<String>) {
     let mut entries: Vec<PathBuf> =
         std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()).collect();

@@ -1,4 +1,4 @@
-//! Scene files: their content, messages on mistakes, bounds of data.
+//! Scene files: their content, messages about mistakes, bounds on data.
 
 mod bounds_of_data;
 mod files;

@@ -1,6 +1,7 @@
-//! Every mistake in a scene file is reported at its place, with an accepted alternative.
+//! Every mistake in a scene file is reported with its position and an accepted alternative.
 //!
-//! Each test first asserts the places to which the message points, then compares the whole message with its snapshot.
+//! Each test first asserts the positions to which the message points, then compares the whole message with its
+//! snapshot.
 
 use dalembert_derivations::studies::scene::Scene;
 use reader::{Family, SceneError};
@@ -41,7 +42,7 @@ method = "dormand_prince_5"
 outputs = ["slip"]
 "#;
 
-/// The sound scene with each of some texts replaced.
+/// The valid scene with each of some texts replaced.
 fn scene(edits: &[(&str, &str)]) -> String {
     edits.iter().fold(SOUND.to_owned(), |text, (from, to)| {
         assert_eq!(text.matches(from).count(), 1, "`{from}` must stand once in the scene");
@@ -49,7 +50,7 @@ fn scene(edits: &[(&str, &str)]) -> String {
     })
 }
 
-/// Asserts that the marks stand under these texts, in the order of the file, then compares the message.
+/// Asserts that the marks are under these texts, in the order of the file, then compares the message.
 fn refused(name: &str, text: &str, marked: &[&str]) {
     let error = Scene::parse("scene.toml", text).expect_err("the scene must be refused");
     let found: Vec<&str> = error.issues.iter().map(|issue| issue.span.clone().map_or("", |span| &text[span])).collect();
@@ -66,7 +67,7 @@ fn compare(name: &str, error: &SceneError) {
     settings.bind(|| insta::assert_snapshot!(name, error.to_string()));
 }
 
-/// One test a case: its name as a sentence, the edits of the sound scene, the marked texts.
+/// One test per case: its name as a sentence, the edits of the valid scene, the marked texts.
 macro_rules! refuses {
     ($($name:ident: [$(($from:literal, $to:literal)),+ $(,)?] => [$($marked:literal),* $(,)?];)*) => {$(
         #[test]
@@ -161,7 +162,7 @@ refuses! {
         ("outputs = [\"slip\"]", ""),
     ] => ["\"150 rad/s\""];
 
-    // the whole file
+    // the file as a whole
     everything_that_is_wrong_is_told_at_once: [
         ("mass = \"1.5 kg\"", "mas = \"1.5 kg\""),
         ("b0 = \"0.15 N m\"", "b0 = \"0.15 N\""),
@@ -194,7 +195,7 @@ fn a_folder_is_no_scene() {
     compare("a_folder_is_no_scene", &Scene::open("scenes".as_ref()).expect_err("it is a folder"));
 }
 
-/// The sound scene's motor as text.
+/// The valid scene's motor as text.
 const WRITTEN: &str = r#"model = "text"
 field_speed = "150 rad/s"
 field_energy = "-b0*cos(g)"
@@ -215,7 +216,7 @@ inductance = "l1"
 resistance = "r1"
 "#;
 
-/// The scene whose motor is written, with each of some texts replaced.
+/// The scene with a text motor, with each of some texts replaced.
 fn written(edits: &[(&str, &str)]) -> String {
     let compiled = "model = \"synchronous\"\nfield_speed = \"150 rad/s\"\nb0 = \"0.15 N m\"\nf = \"1e-4 N m s\"\n";
     let text = scene(&[(compiled, WRITTEN)]);
@@ -230,7 +231,7 @@ fn the_sound_motor_as_text_is_accepted() {
     Scene::parse("scene.toml", &written(&[])).unwrap_or_else(|error| panic!("{error}"));
 }
 
-/// One test a case for the scene with a text motor.
+/// One test per case for the scene with a text motor.
 macro_rules! refuses_laws {
     ($($name:ident: [$(($from:literal, $to:literal)),+ $(,)?] => [$($marked:literal),* $(,)?];)*) => {$(
         #[test]

@@ -38,7 +38,7 @@ fn units_mean_what_the_si_says() {
     ];
     for (text, value, unit) in table {
         let found = parse(text, 1, 1, Dimension::of(unit)).unwrap_or_else(|error| panic!("{text}: {error}"));
-        // pi is rounded; a power of ten must not be
+        // pi is rounded; a power of ten must be exact
         let allowed = if text.contains(['r', 'd']) { f64::EPSILON * value } else { 0.0 };
         assert!((found[0] - value).abs() <= allowed, "{text}: {found:?}");
     }

@@ -1,4 +1,4 @@
-//! Stability in closed form, boundaries included, with exact data.
+//! Stability in closed form with exact data, including the stability boundaries.
 
 use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::studies::scene::Scene;
@@ -19,7 +19,8 @@ fn r(n: i64, d: i64) -> Rational {
     Rational::new(n, d)
 }
 
-/// A* = (4, 9, 6), A' = 1/2, the rotor along an axis, the weight along the third: 1 below, -1 above.
+/// The data A* = (4, 9, 6), A' = 1/2, the rotor along a coordinate axis, the weight along the third one: 1 hanging, -1
+/// upright.
 struct Axes {
     rotor: [i64; 3],
     weight: i64,
@@ -44,7 +45,7 @@ impl Axes {
         Judged::at(&approximation, &[w0, zero, zero, one, speed, one, zero], &one, |x| x.to_f64())
     }
 
-    /// A rotor of constant speed with A' W = h.
+    /// A rotor with constant relative speed such that A' W = h.
     fn kept(&self, w0: Rational, h: Rational) -> Judged {
         let speed = h * r(2, 1);
         self.judged(&ConstantSpeed { speed: Sym::constant(speed) }, w0, speed)
@@ -84,7 +85,7 @@ fn a_rotor_along_the_vertical_holds_it_upright_from_the_known_speed_on() {
     assert_eq!(fast.verdict, StabilityVerdict::CannotTell(Reason::Gyroscopic { negative: 2 }));
     assert_eq!(fast.roots.map(|roots| (roots.axis, roots.distinct)), Some((4, 4)));
     assert_eq!(at(r(4_999_999, 1_000_000)).verdict, StabilityVerdict::Unstable { right: 2 });
-    // exactly there both pairs are one
+    // exactly at this value the two pairs of eigenvalues coincide
     let edge = at(r(5, 1)).roots.unwrap();
     assert_eq!((edge.axis, edge.distinct), (4, 2));
 }
@@ -155,14 +156,14 @@ fn a_motion_that_is_none_is_refused() {
 
 #[test]
 fn the_map_of_one_axis_has_its_edges_where_the_closed_forms_say() {
-    // at rest: A' W = +-5 where pairs meet, and +-1 where they part again: (h^2 - 25)(h^2 - 1) = 0
+    // at rest: pairs of eigenvalues merge at A' W = +-5, and separate again at +-1: (h^2 - 25)(h^2 - 1) = 0
     let axis = OneAxis::of(&UPRIGHT.energies(), false).unwrap();
     let column = axis.column(rest());
     let edges: Vec<f64> = column.edges.iter().map(|edge| edge.at).collect();
     assert_eq!(edges, [-10.0, -2.0, 2.0, 10.0]);
     let all = [Fate::ByGyroscopes, Fate::Unstable, Fate::Unstable, Fate::Unstable, Fate::ByGyroscopes];
     assert_eq!(column.fates, all);
-    // turning with w0 = 1: H1 = 1 + h, H2 = h - 4, and stable by energy beyond both
+    // rotating at w0 = 1: H1 = 1 + h, H2 = h - 4, and stable by energy beyond both zeros
     let column = axis.column(r(1, 1));
     let neutral: Vec<f64> = column.edges.iter().filter(|edge| edge.neutral).map(|edge| edge.at).collect();
     assert_eq!(neutral, [-2.0, 8.0]);

@@ -1,4 +1,5 @@
-//! Verdicts on two hundred gyrostats made of mass points with five motors each, against eigenvalues of the equations that run.
+//! Verdicts for two hundred gyrostats composed of mass points with five motors each, compared with eigenvalues of the
+//! compiled equations.
 
 use crate::physical::{gyrostat, rounded};
 use crate::running::{Law, eigenvalues, state};
@@ -25,11 +26,12 @@ use symbolic::Sym;
 
 const GYROSTATS: usize = 200;
 
-/// An eigenvalue this near to the imaginary axis, relative to the largest, cannot be told from one on it in floats: for a
-/// conservative system, where pairs may be close, and for a damped one.
+/// An eigenvalue this close to the imaginary axis, relative to the largest one, cannot be distinguished in
+/// floating-point numbers from one on the axis: for a conservative system, where pairs may be close, and for a damped
+/// one.
 const NEAR: [f64; 2] = [1e-6, 1e-10];
 
-/// The common data of the five motors of a gyrostat: tan(g/2) = -1/10 for a motor with an angle.
+/// The common data of the five motors of a gyrostat; a motor with an angle has tan(g/2) = -1/10.
 #[derive(Clone, Copy)]
 struct Data {
     speed: i64,
@@ -93,7 +95,7 @@ impl Data {
     }
 }
 
-/// A gyrostat that rotates with w, with a value of the rotor's constant quantity.
+/// A gyrostat that rotates at w, with a value of the rotor's constant quantity.
 struct Turning<'a> {
     bodies: &'a Gyrostat<Rational>,
     kept: Kept,
@@ -101,7 +103,7 @@ struct Turning<'a> {
     w: Rational,
 }
 
-/// The number of occurrences of each verdict, and of cases that floats leave open.
+/// The number of occurrences of each verdict, and of cases that floating-point numbers cannot decide.
 #[derive(Default)]
 struct Counts {
     verdicts: BTreeMap<String, usize>,
@@ -109,7 +111,7 @@ struct Counts {
 }
 
 impl Turning<'_> {
-    /// The verdicts, motion by motion and angle by angle, each compared with the eigenvalues.
+    /// The verdicts for each motion and each angle, compared with the eigenvalues.
     fn verdicts<M: Machine<f64>>(
         &self,
         motor: &MotorStates,
@@ -248,8 +250,9 @@ fn every_count_is_that_of_floats_and_a_motor_leaves_what_the_energy_holds() {
         { insta::assert_snapshot!("drawn", page) });
 }
 
-/// Stability by energy at constant speed is asymptotic with a motor; stability by gyroscopic forces alone is lost with it. Without
-/// weight no motor responds to a tilt in space, which does not decay; a maximum of the energy is unstable with a motor.
+/// Stability by energy at constant speed becomes asymptotic with a motor; stability by gyroscopic forces only is lost
+/// with a motor. Without weight no motor responds to a tilt in space, so that it does not decay; a maximum of the
+/// energy is unstable with a motor.
 fn agrees(kept: &Judged, with_motor: StabilityVerdict, balanced: bool) {
     let negative = kept.energy.map_or(0, |energy| energy.negative);
     let expected = match kept.verdict {

@@ -1,4 +1,4 @@
-//! Families of motions of degenerate gyrostats: their verdicts against eigenvalues of the equations that run.
+//! Families of motions of degenerate gyrostats: their verdicts compared with eigenvalues of the compiled equations.
 
 use crate::running::{Law, eigenvalues, run, state};
 use crate::tops::{
@@ -12,7 +12,7 @@ use mechanics::steady_rotations::Shape;
 use motor::ConstantSpeed;
 use nalgebra::Vector3;
 
-/// The verdicts on all arcs with one angle, and those on single directions.
+/// The verdicts on all arcs with one angle, and those on isolated directions.
 fn told(along: &Along) -> (Vec<StabilityVerdict>, Vec<([f64; 3], StabilityVerdict)>) {
     let rounded = |v: Vector3<f64>| [v.x, v.y, v.z].map(|x| (x * 1e12).round() / 1e12 + 0.0);
     let edges = along.edges.iter().map(|edge| (rounded(edge.direction), edge.judged.verdict));
@@ -26,7 +26,7 @@ fn a_symmetric_top_that_precesses_is_stable_as_a_family_with_every_motor_that_ho
     let top = lagrange();
     let whole = |all: Vec<(Shape, Vec<Along>)>| -> Vec<StabilityVerdict> {
         let [(Shape::Circle { .. }, along)] = &all[..] else { panic!("one circle: {all:?}") };
-        // the tangent of the circle gives one more zero eigenvalue, with one more integral
+        // the tangent of the circle adds one zero eigenvalue, and one integral
         let one = |along: &Along| {
             assert!(along.edges.is_empty() && along.arcs[0].judged.along == 1, "{along:?}");
             along.arcs[0].judged.verdict
@@ -42,7 +42,7 @@ fn a_symmetric_top_that_precesses_is_stable_as_a_family_with_every_motor_that_ho
 
 #[test]
 fn beside_an_oblique_rotor_a_circle_is_stable_where_its_axis_has_the_smaller_moment() {
-    // except where the momentum is greatest and least along the circle
+    // except where the momentum has its maximum and minimum along the circle
     let open = StabilityVerdict::CannotTell(Reason::Edge);
     let ends = [([-0.8, 0.0, 0.6], open), ([0.8, 0.0, 0.6], open)];
     let verdicts = |all: Vec<(Shape, Vec<Along>)>, angle: usize| -> Vec<StabilityVerdict> {
@@ -59,8 +59,8 @@ fn beside_an_oblique_rotor_a_circle_is_stable_where_its_axis_has_the_smaller_mom
     assert!(told(&flat[0].1[0]).0.iter().all(|one| matches!(one, StabilityVerdict::Unstable { .. })), "{flat:?}");
 }
 
-/// With the rotor orthogonal to the axis of symmetry and v3 = 0 the body nutates without rotation about the rotor's axis where
-/// A1 w l.v = A'W, which no motor damps.
+/// With the rotor orthogonal to the axis of symmetry and v3 = 0, the body nutates without rotation about the rotor's
+/// axis if A1 w l.v = A'W; no motor damps this nutation.
 #[test]
 fn beside_a_rotor_that_does_not_feel_the_nutation_two_directions_of_a_circle_are_not_asymptotically_stable() {
     let top = circling([5, 5, 2], along([1, 0, 0]), r(0, 1), [r(1, 1), r(3, 1)]);
@@ -72,7 +72,8 @@ fn beside_a_rotor_that_does_not_feel_the_nutation_two_directions_of_a_circle_are
     assert_eq!((&arcs[..], &apart[..]), (&[ASYMPTOTIC; 4][..], &[[0.6, -0.8, 0.0], [0.6, 0.8, 0.0]][..]));
 }
 
-/// If neither the angle nor the circle is a minimum of the energy, both may be stabilised gyroscopically on a part of the circle.
+/// If the energy has a minimum neither for the angle nor for the circle, both may be stabilised gyroscopically on a
+/// part of the circle.
 #[test]
 fn along_a_circle_two_pairs_meet_and_what_gyroscopes_keep_is_lost() {
     let top = circling([4, 4, 7], [r(3, 5), r(0, 1), r(4, 5)], r(4, 5), [r(3, 1), r(1, 1)]);
@@ -103,7 +104,7 @@ fn without_weight_the_size_of_the_momentum_makes_a_family_stable() {
     let (arcs, poles) = told(&rests[0].1[0]);
     assert_eq!((rests[0].0, &arcs[..]), (Shape::Sphere, &[StabilityVerdict::Stable][..]));
     assert!(poles.iter().all(|pole| pole.1 == StabilityVerdict::Stable), "{poles:?}");
-    // a symmetric body turns about a circle of axes across its own
+    // a symmetric body rotates about a circle of axes perpendicular to its own axis
     let symmetric = Top { moments: [4, 4, 2], axis: along([0, 0, 1]), weight: along([0, 0, 0]) };
     for speed in [0, 2] {
         let all = symmetric.families(at_constant_speed(r(speed, 1)), r(2, 1));

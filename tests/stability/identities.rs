@@ -1,4 +1,4 @@
-//! Identities of the linearisation at random exact stationary motions.
+//! Identities of the linearisation for random exact steady motions.
 
 use crate::physical::{axes, fixed, gyrostat};
 use dalembert_derivations::machines::synchronous::Synchronous;
@@ -17,7 +17,7 @@ fn int(n: i64) -> Rational {
     Rational::int(n)
 }
 
-/// A gyrostat, a direction, and the weight with which this is stationary.
+/// A gyrostat, a direction, and the weight for which the rotation about this direction is steady.
 #[derive(Clone, Debug)]
 struct Drawn {
     energies: Energies<Rational>,
@@ -42,7 +42,7 @@ fn synchronous(drawn: &Drawn) -> Synchronous<Rational> {
 }
 
 impl Drawn {
-    /// (highest power first) det T (z^4 + a z^2 + b) at constant speed, and of a free rotor.
+    /// The coefficients, highest power first, of det T (z^4 + a z^2 + b) at constant speed, and for a free rotor.
     fn classical(&self) -> [[Rational; 3]; 2] {
         let Energies { tensor, mixed, axial, .. } = self.energies;
         let StationaryState { speed, vertical, rotor_speed, .. } = self.place;
@@ -61,7 +61,7 @@ impl Drawn {
 proptest! {
     #![proptest_config(fixed(40))]
 
-    /// The rate of the energy's second variation equals the damping: G'' A + A^T G'' = -2 diag, exactly.
+    /// The rate of the energy's second variation equals the dissipation: G'' A + A^T G'' = -2 diag, exactly.
     #[test]
     fn the_energy_loses_what_the_damping_takes(drawn in drawn()) {
         let machine = synchronous(&drawn);
@@ -78,7 +78,7 @@ proptest! {
         }
     }
 
-    /// The integrals' differentials are left null vectors of the linearisation.
+    /// The differentials of the integrals are left null vectors of the linearisation's matrix.
     #[test]
     fn every_integral_gives_a_zero_root(drawn in drawn()) {
         let linear = Linear::at(&drawn.energies, &FreeRotor::default(), &drawn.place, true);
@@ -95,7 +95,7 @@ proptest! {
         prop_assert_eq!((polynomial[2] * det, polynomial[4] * det), (a, b));
     }
 
-    /// The motor's polynomial lies between those of the two classical gyrostats.
+    /// The motor's polynomial is a combination of those of the two classical gyrostats.
     #[test]
     fn a_motor_combines_the_two_classical_polynomials(drawn in drawn()) {
         let machine = synchronous(&drawn);
@@ -104,7 +104,7 @@ proptest! {
         let axial = drawn.energies.axial;
         prop_assert_eq!(of_free, determinant(&(drawn.energies.tensor
             - drawn.energies.mixed * drawn.energies.mixed.transpose() / axial)));
-        // A' z^2 (free) + (K + d z) (kept), z^2 for the two integrals
+        // A' z^2 (free) + (K + d z) (constant speed), times z^2 for the two integrals
         let (k, d) = (machine.b0 * drawn.place.angle.cos, machine.f);
         let sum = [axial * of_free, d * det, axial * af + k * det, d * ac, axial * bf + k * ac, d * bc, k * bc];
         for (place, c) in sum.iter().enumerate() {

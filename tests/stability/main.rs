@@ -1,4 +1,4 @@
-//! Stability of stationary motions: against eigenvalues of the equations that run, closed forms, and runs.
+//! Stability of steady motions, compared with eigenvalues of the compiled equations, closed forms, and runs.
 
 mod closed;
 mod drawn;

@@ -1,4 +1,5 @@
-//! Numerical stability of stationary motions: exact thresholds against runs, and the exact matrix against the law that runs.
+//! Numerical stability of steady motions: exact thresholds compared with runs, and the exact matrix compared with the
+//! compiled law.
 
 use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::studies::numerical_stability::chart::{Chart, ChartedMotion, Row};
@@ -32,7 +33,7 @@ fn with_model(name: &str, model: &str) -> Scene {
     scene(name).with_model(model).unwrap_or_else(|reason| panic!("{name}: {reason}"))
 }
 
-/// Scenes with the angular velocity of their stationary motions.
+/// Scenes with the angular velocity of their steady motions.
 fn cases() -> Vec<(&'static str, Scene, f64)> {
     vec![
         ("bench", scene("bench"), 0.0),
@@ -61,7 +62,7 @@ fn every_step_of_every_method_is_judged_as_reviewed() {
     }
 }
 
-/// Every threshold that runs can measure; some multipliers leave the circle by only 1e-10 a step.
+/// Every threshold that runs can measure; some multipliers leave the unit circle by only 1e-10 per step.
 #[test]
 fn thresholds_by_runs_are_the_exact_ones() {
     let (mut measured, mut unseen) = (0, 0);
@@ -103,10 +104,11 @@ fn the_midpoint_rule_and_gauss_are_correct_at_every_step_and_backward_euler_hide
     }
 }
 
-/// An independent method: the law that runs, in other axes and in floats, differentiated by dual numbers.
+/// An independent method: the compiled law, in other axes and in floating-point numbers, differentiated by dual
+/// numbers.
 #[test]
 fn the_exact_eigenvalues_are_those_of_the_law_that_runs() {
-    // those with currents that a supply feeds
+    // those with currents from a supply
     let fed = ["brushed_bench", "brushed", "permanent_magnet_bench", "permanent_magnet"];
     let fed = fed.map(|name| (name, scene(&format!("machines/{name}")), 0.0));
     for (name, scene, w) in cases().into_iter().chain(fed) {
@@ -126,7 +128,7 @@ fn the_exact_eigenvalues_are_those_of_the_law_that_runs() {
             for (re, im) in exact.chain(std::iter::repeat_n((0.0, 0.0), integrals)) {
                 let off = |k: &usize| (left[*k].re - re).hypot(left[*k].im - im);
                 let nearest = (0..left.len()).min_by(|a, b| off(a).total_cmp(&off(b))).expect("as many as states");
-                // a multiple eigenvalue is found to a part of the digits
+                // a multiple eigenvalue is found to a fraction of the digits only
                 assert!(off(&nearest) < 2e-6, "{name}, {motion}: {re} + {im} i is off by {:.1e}", off(&nearest));
                 left.remove(nearest);
             }
@@ -155,7 +157,7 @@ fn where_energy_is_kept_the_odd_coefficients_vanish_to_a_hundred_digits() {
     assert!(!Linearised::of(&scene, &stationary.motor).expect("its law is algebraic").symmetric);
 }
 
-/// The Butcher tables that run: 1 + z b (I - z A)^-1 1 in double-double.
+/// The Butcher tableaus of the implementation: 1 + z b (I - z A)^-1 1 in double-double.
 #[test]
 fn the_tables_of_collocation_have_the_exact_stability_functions() {
     for (family, stages) in [(Family::Gauss, 2), (Family::Gauss, 3), (Family::RadauIIA, 2), (Family::RadauIIA, 3)] {
@@ -196,7 +198,7 @@ fn solved(table: &Collocation<DoubleDouble>, z: DoubleDouble) -> DoubleDouble {
     table.weights.iter().zip(stages).fold(one, |sum, (b, y)| sum + z * *b * y)
 }
 
-/// A synchronous motor without friction, whose oscillation consists of kick and drift alone.
+/// A synchronous motor without friction, whose oscillation is split into two flows only.
 #[test]
 fn splittings_stay_bounded_where_their_traces_say() {
     let machine = Synchronous { field_speed: 0.0, b0: 0.25, f: 0.0 };
@@ -222,7 +224,7 @@ fn splittings_stay_bounded_where_their_traces_say() {
         for (place, step) in steps.iter().enumerate() {
             let below = place.checked_sub(1).map_or(0.0, |last| steps[last] / step);
             let above = steps.get(place + 1).map_or(f64::INFINITY, |next| next / step);
-            // a narrower window grows too slowly to be seen
+            // in a narrower instability interval the growth is too slow to be observed
             for (side, within, seen) in
                 [(0.999, inside[place], below < 0.998), (1.001, inside[place + 1], above > 1.002)]
             {
@@ -232,7 +234,8 @@ fn splittings_stay_bounded_where_their_traces_say() {
     }
 }
 
-/// On a bench, where all sub-flows rest: thresholds by the derivative of the step and by runs.
+/// On a bench, where the equilibrium is a fixed point of all sub-flows: thresholds by the derivative of the step and by
+/// runs.
 #[test]
 fn the_map_of_a_splitting_and_its_runs_leave_at_one_step() {
     let scene = scene("bench");
@@ -251,8 +254,9 @@ fn the_map_of_a_splitting_and_its_runs_leave_at_one_step() {
     }
 }
 
-/// Every step size between the first and the last by Taylor models of the sub-flows, and some by the derivative of the step that runs.
-/// The instability window of Blanes and Moan's splitting of order 4, 2e-4 wide, lies between tested step sizes.
+/// Every step size between the first and the last by Taylor models of the sub-flows, and some by the derivative of the
+/// implemented step. The instability interval of Blanes and Moan's splitting of order 4, of width 2e-4, lies between
+/// tested step sizes.
 #[test]
 fn on_the_bench_what_a_splitting_does_between_the_tested_steps_is_proved() {
     let scene = scene("bench");
@@ -268,8 +272,8 @@ fn on_the_bench_what_a_splitting_does_between_the_tested_steps_is_proved() {
     assert_eq!(windows, 1);
 }
 
-/// An independent method: the step that runs, in double-double, differentiated by differences, at every tested step size that is
-/// proved, in the middle of every interval, beside every threshold.
+/// An independent method: the implemented step, in double-double, differentiated by differences, at every tested step
+/// size for which there is a proof, in the middle of every interval, and next to every threshold.
 fn beside_the_map_that_runs(near: &SplitRuns, splitting: Splitting, motion: &str) -> (Tested, Proved) {
     let tested = near.course(splitting, &steps());
     println!("{motion}, {splitting:?}: {}", tested.told());
@@ -281,15 +285,16 @@ fn beside_the_map_that_runs(near: &SplitRuns, splitting: Splitting, motion: &str
         let Some(grows) = proved.at(step) else { continue };
         let own = near.own(splitting, step, tested.before(step));
         let own = own.unwrap_or_else(|| panic!("{motion}, {splitting:?}: no motion at {step}"));
-        // differences leave so much of a multiplier that is on the circle
+        // the error of differences for a multiplier on the unit circle
         let leaves = own.radius > 1.0 + 1e-11;
         assert!(grows == leaves || (own.radius - 1.0).abs() < 1e-11, "{motion}, {splitting:?} at {step}: {own:?}");
     }
     (tested, proved)
 }
 
-/// Carriers at rest, where all sub-flows rest, and rotating, where a splitting has its own fixed point. The range of a proof between
-/// two tested step sizes depends on rounding, and is not in the snapshot.
+/// Carriers at rest, where the equilibrium is a fixed point of all sub-flows, and rotating ones, where a splitting has
+/// its own fixed point. The range of a proof between two tested step sizes depends on rounding, and is not in the
+/// snapshot.
 #[test]
 fn near_gyrostats_what_a_splitting_does_between_the_tested_steps_is_proved_as_far_as_its_row_says() {
     let rows = |(name, scene, w): &(&str, Scene, f64)| {
@@ -325,7 +330,7 @@ fn near_gyrostats_what_a_splitting_does_between_the_tested_steps_is_proved_as_fa
     }
 }
 
-/// Without dissipation the thresholds are those of the oscillator's trace, exactly.
+/// Without dissipation the thresholds are exactly those of the oscillator, which follow from the trace.
 #[test]
 fn without_losses_the_proved_edges_are_those_of_the_oscillator() {
     let scene = scene("closed_forms/unloaded_motor");
@@ -353,7 +358,7 @@ fn a_member_of_a_family_is_judged_across_it() {
     assert_eq!((chart.all.motions.len(), chart.all.families), (3, 0));
     let member = &chart.all.motions[2];
     let spectrum = member.spectrum.as_ref().unwrap();
-    // without the two zeros of the circle and those of the integrals only the nutation is left
+    // without the two zero eigenvalues of the circle and those of the integrals only the nutation remains
     let [mode] = &spectrum.modes[..] else { panic!("{spectrum:?}") };
     assert!(member.member.is_some() && matches!(mode.place, HalfPlane::Imaginary(_)), "{mode:?}");
     assert_eq!(ChartedMotion::of(spectrum), ChartedMotion::Stays { staying: 2 });
@@ -361,7 +366,7 @@ fn a_member_of_a_family_is_judged_across_it() {
 
 #[test]
 fn what_is_found_is_carried_on_over_steps_between_and_not_beyond_where_it_is_lost() {
-    // the search succeeds where the result before is near enough
+    // the search succeeds if the previous result is close enough
     let near = |step: f64, before: Option<&f64>| before.is_none_or(|before| step < 1.5 * before).then_some(step);
     let found = followed(&[1.0, 1.4, 8.0], near);
     assert!(found.iter().any(|(step, _)| *step == 8.0) && found.is_sorted_by(|(a, _), (b, _)| a < b), "{found:?}");
@@ -370,7 +375,7 @@ fn what_is_found_is_carried_on_over_steps_between_and_not_beyond_where_it_is_los
     assert!(lost.iter().all(|(step, _)| *step < 1e9 && *step != 1.2), "{lost:?}");
 }
 
-/// A search from the law's own motion, far away at a long step, does not find the fixed point.
+/// A search that starts from the law's own motion, which is far away for a long step, does not find the fixed point.
 #[test]
 fn a_splittings_own_motion_is_followed_from_short_steps() {
     let scene = scene("permanent_rotation");

@@ -1,4 +1,4 @@
-//! Maps over two data of a scene, by their names, against closed forms.
+//! Maps over two data of a scene, given by name, compared with closed forms.
 
 use dalembert_derivations::studies::scene::Scene;
 use dalembert_derivations::studies::stationary::stability::datum::Datum;
@@ -11,7 +11,7 @@ fn scene() -> Scene {
     Scene::open(Path::new("scenes/closed_forms/upright_rotation.toml")).unwrap()
 }
 
-/// The cell at one load over the height of the carrier's centre of mass, about the opposite of the rotor's axis.
+/// The cell at one load, over the height of the carrier's centre of mass, for rotation opposite to the rotor's axis.
 fn over_height(load: f64, w: f64) -> Cell {
     let scene = scene();
     let [load_datum, height] = ["load", "carrier.centre.3"].map(|name| Datum::named(&scene, name).unwrap());

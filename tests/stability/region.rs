@@ -1,4 +1,4 @@
-//! Maps of every motion over two data: against single scenes, exact columns, and the discriminant.
+//! Maps of all motions over two data, compared with single scenes, exact columns, and the discriminant.
 
 use dalembert_derivations::studies::scene::{Scene, Setup};
 use dalembert_derivations::studies::stationary::energies::{Energies, Kept};
@@ -39,7 +39,8 @@ fn with_bodies(scene: &Scene, change: impl Fn(&mut Gyrostat<f64>)) -> Scene {
     other
 }
 
-/// Asserts that a node's motions and verdicts equal those of the scene with its data, at the stable angles of the motor.
+/// Asserts that a node's motions and verdicts equal those of the scene with its data, at the stable angles of the
+/// motor.
 fn as_alone(node: &Node, alone: &Scene, speed: f64) {
     let all = Stationary::of(alone).unwrap();
     let held: Vec<bool> = match &all.motor {
@@ -66,7 +67,7 @@ fn nodes_are_judged_as_scenes_that_have_their_data() {
         as_alone(&nodes[0], &with_bodies(&scene, |bodies| bodies.carrier.centre.x = centre), speed);
         nodes[0].isolated().len()
     };
-    // a damper with all bars; an irrational speed; a rotor with its own momentum conserved
+    // a damper with all bars; an irrational speed; a rotor whose own momentum is conserved
     assert_eq!(
         [at("spin_up", 60.0, 0.004), at("asynchronous_drive", 40.0, -0.003), at("free_rotor", 7.0, 0.01)],
         [6, 4, 2]
@@ -99,7 +100,8 @@ fn a_verdict_is_bracketed_about_the_edge_that_is_known_exactly() {
         let changes: Vec<f64> = changes.map(|(edge, _)| edge.at).collect();
         let own = borders.iter().filter(|border| {
             let node = nodes.iter().rfind(|node| node.values[1] <= border.between[0][1]).unwrap();
-            // where a tilt costs no energy a pair of motions branches off, and the number of motions changes
+            // where a tilt does not change the energy, a pair of motions branches off, and the number of motions
+            // changes
             border.change != Change::PullOut && border.of == (0, place(node))
         });
         let brackets: Vec<[f64; 2]> = own.map(|border| border.between.map(|values| values[1])).collect();
@@ -142,7 +144,7 @@ fn motions_merge_where_the_discriminant_vanishes() {
         .filter(|border| border.change == Change::Fold)
         .map(|border| border.between.map(|v| v[1]))
         .collect();
-    // the border is found on both merging motions
+    // each border is found from both motions that merge
     assert_eq!(folds.len() % 2, 0);
     folds.dedup();
     assert!(!folds.is_empty());
@@ -185,7 +187,7 @@ fn a_branch_that_folds_back_is_one_and_a_border_lies_on_the_motion_to_which_it_h
     let [node] = &nodes[..] else { panic!("one row") };
     let joined = |borders| Link { joined: vec![[0, 0]], borders, lost: 0 };
     let border = Border { change: Change::Verdict, between: [node.values; 2], exactly: None, of: (1, 1) };
-    // (0, 1) - (1, 1) - (1, 0): the second column is gone through downwards
+    // (0, 1) - (1, 1) - (1, 0): the second column is traversed downwards
     let rows = vec![vec![Link::default()], vec![joined(vec![])]];
     let upwards = vec![vec![Link::default()], vec![joined(vec![border])]];
     let atlas = Atlas::of(vec![vec![node.clone(); 2]; 2], rows, upwards);

@@ -1,4 +1,4 @@
-//! The equations that run: their Jacobian by tangents, and runs by Runge and Kutta's method.
+//! The compiled equations: their Jacobian by dual numbers, and runs by the classical Runge-Kutta method.
 
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::{Form, SecondForm};
@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 
 pub type Law<M> = Driven<f64, SecondForm<f64>, M>;
 
-/// A stationary motion as a state: v in the axes of the form, no current.
+/// The state of a steady motion: v in the axes of the form, no currents.
 pub fn state<M: Machine<f64>>(law: &Law<M>, v: Vector3<f64>, w0: f64, rotor_speed: f64, angle: f64) -> Vec<f64> {
     let mut state: Vec<f64> = (v * w0).iter().chain(v.iter()).copied().collect();
     let slip = rotor_speed - law.machine.frame_speed();
@@ -22,7 +22,7 @@ pub fn state<M: Machine<f64>>(law: &Law<M>, v: Vector3<f64>, w0: f64, rotor_spee
     state
 }
 
-/// The eigenvalues of the law's Jacobian, (real, imaginary).
+/// The eigenvalues of the law's Jacobian, as (real, imaginary).
 pub fn eigenvalues<M: Machine<f64>>(law: &Law<M>, state: &[f64]) -> Vec<(f64, f64)> {
     let size = state.len();
     let mut jacobian = vec![0.0; size * size];
@@ -36,7 +36,7 @@ pub fn eigenvalues<M: Machine<f64>>(law: &Law<M>, state: &[f64]) -> Vec<(f64, f6
     spectrum(size, &jacobian).expect("the iteration ends").iter().map(|z| (z.re, z.im)).collect()
 }
 
-/// The classical Runge-Kutta method: the state after so many steps.
+/// The state after a number of steps of the classical Runge-Kutta method.
 pub fn run<F: Form<f64>, M: Machine<f64>>(
     law: &Driven<f64, F, M>,
     mut y: Vec<f64>,

@@ -19,7 +19,7 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
 }
 
-/// A small tilt.
+/// The state after a small tilt.
 fn disturbed(state: &[f64], size: f64) -> Vec<f64> {
     let mut disturbed = state.to_vec();
     disturbed[0] += 0.8 * size;
@@ -27,7 +27,7 @@ fn disturbed(state: &[f64], size: f64) -> Vec<f64> {
     disturbed
 }
 
-/// The growth rate of a disturbance between the ends of two runs of `steps` steps each.
+/// The growth rate of a disturbance, from the ends of two runs of `steps` steps each.
 fn growth<M: Machine<f64>>(law: &Law<M>, at: &[f64], step: f64, steps: usize) -> f64 {
     let first = run(law, disturbed(at, 1e-12), step, steps);
     let second = run(law, first.clone(), step, steps);
@@ -64,13 +64,14 @@ fn upright_with_the_rotor_along_it_falls_when_slow_and_stays_when_fast() {
     let slow = upright(Vector3::z(), 6.0);
     let at = state(&slow, -Vector3::z(), 0.0, 6.0, 0.0);
     let (rate, swing) = fastest(&slow, &at);
-    // after a whole oscillation the distance has equal phase
+    // after a whole oscillation the disturbance has the same phase
     let step = std::f64::consts::TAU / swing / 4000.0;
     let measured = growth(&slow, &at, step, 4000);
     assert!((measured / rate - 1.0).abs() < 1e-3 && rate > 0.1, "{measured} beside {rate}");
 }
 
-/// A motion stabilised gyroscopically at constant rotor speed becomes unstable with a motor of equal steady speed.
+/// A motion that is stabilised gyroscopically at constant rotor speed becomes unstable with a motor of the same steady
+/// speed.
 #[test]
 fn what_gyroscopic_forces_hold_at_constant_speed_leaves_with_a_motor() {
     let scene = Scene::open(Path::new("scenes/constant_speed.toml")).unwrap();
@@ -91,15 +92,15 @@ fn what_gyroscopic_forces_hold_at_constant_speed_leaves_with_a_motor() {
     let at = state(&law, v, 20.0, 150.0, 0.0);
     let (rate, swing) = fastest(&law, &at);
     assert!(rate > 0.1, "{rate}");
-    // whole oscillations, in steps of about a millisecond
+    // whole oscillations, with steps of about a millisecond
     let span = 20.0 * std::f64::consts::TAU / swing;
     let steps = (span / 1e-3) as usize;
     let measured = growth(&law, &at, span / steps as f64, steps);
     assert!((measured / rate - 1.0).abs() < 1e-2, "{measured} beside {rate}");
 }
 
-/// For each equilibrium of a scene with each place of its rotor: the verdict, and the number of eigenvalues of the running law's
-/// Jacobian with positive real part.
+/// For each equilibrium of a scene with each position of its rotor: the verdict, and the number of eigenvalues of the
+/// compiled law's Jacobian with positive real part.
 fn beside_the_law(scene: &Scene) -> Vec<(Judged, usize)> {
     let stationary = Stationary::of(scene).unwrap();
     let places: Vec<(f64, &[f64])> = match &stationary.motor {
@@ -124,15 +125,17 @@ fn beside_the_law(scene: &Scene) -> Vec<(Judged, usize)> {
             let mut matrix = vec![0.0; n * n];
             Jacobian::new(&*problem.law).matrix(0.0, &problem.state, &mut matrix);
             let roots = spectrum(n, &matrix).expect("the iteration ends");
-            // the motor feeds carrier oscillations at a few 1e-9 1/s; zero eigenvalues of the integrals have rounding errors of 1e-13
+            // the motor drives oscillations of the carrier at rates of a few 1e-9 1/s; the zero eigenvalues of the
+            // integrals have rounding errors of 1e-13
             judged.push((one.clone(), roots.iter().filter(|root| root.re > 1e-10).count()));
         }
     }
     judged
 }
 
-/// A permanent-magnet motor on a stiff supply hunts if the resistance of its windings is too small; a brushed motor keeps its speed.
-/// With a supply that feeds the energy, Routh's criterion alone decides.
+/// A permanent-magnet motor on a stiff supply oscillates with growing amplitude (hunting) if the resistance of its
+/// windings is too small; a brushed motor retains its speed. With a supply, which adds energy, only Routh's criterion
+/// decides.
 #[test]
 fn a_motor_on_a_supply_is_judged_by_its_roots_and_not_by_an_energy_that_is_fed() {
     let of = |name: &str, resistance: &str| {

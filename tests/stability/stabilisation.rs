@@ -1,4 +1,4 @@
-//! Runs with constraint stabilisation, against the exact stability regions of the gains.
+//! Runs with constraint stabilisation, compared with the exact stability regions of the gains.
 
 use dalembert_derivations::studies::stabilisation::drive_law::UNKNOWNS;
 use dalembert_derivations::studies::stabilisation::experiment;
@@ -12,7 +12,7 @@ use field::Scalar;
 use integrators::{Index2Dae, Method, Ode, Span, System, Tolerance, integrate};
 use std::time::Duration;
 
-/// y'' = -b y' - k y.
+/// The violation y of a constraint: y'' = -b y' - k y.
 struct Violation {
     damping: f64,
     stiffness: f64,
@@ -59,7 +59,7 @@ fn the_mechanism_regains_its_constraint_where_theory_says() {
             map.mistaken,
             map.edges.len()
         );
-        // a cell whose middle is nearly on the edge may need more steps than are looked at
+        // a cell whose centre is close to the boundary may need more steps than are computed
         assert!(map.mistaken <= cells / 100, "{:?}: {} of {cells} cells", map.scheme, map.mistaken);
     }
 }
@@ -90,7 +90,7 @@ fn treatments_of_the_constraint_have_their_orders_and_drifts() {
         let found = order(kutta(treatment));
         assert!((found - theory).abs() < 0.7, "{treatment:?}: {found:.2}");
     }
-    // gains that grow as 1/h make the equations stiff at every step
+    // gains that grow as 1/h make the equations stiff for every step size
     assert!((order(kutta(Fastest)) - 1.0).abs() < 0.3);
     for (scheme, steps) in [(Scheme::Euler, 20_000), (Scheme::RungeKutta4, 1_000), (Scheme::ImplicitMidpoint, 1_000)] {
         for treatment in [Projected, GearGuptaLeimkuhler, Minimal] {
@@ -98,7 +98,7 @@ fn treatments_of_the_constraint_have_their_orders_and_drifts() {
             assert!(kept.iter().all(|found| found.drift < 1e-14 && found.rate_drift < 1e-13), "{scheme:?}: {kept:?}");
         }
     }
-    // the floor of Euler falls with h^2, the drift without stabilisation with h
+    // Euler's residual violation decreases with h^2, the drift without stabilisation with h
     let drifts = |treatment| of(&goal, Scheme::Euler, 20_000, treatment).map(|found| found.drift);
     let ratio = |[coarse, fine]: [f64; 2]| coarse / fine;
     assert!((ratio(drifts(Fastest)) - 4.0).abs() < 0.3 && (ratio(drifts(IndexReduction)) - 2.0).abs() < 0.2);
@@ -112,19 +112,19 @@ fn both_constraints_held_have_the_order_of_theory_with_every_method() {
         (Scheme::Euler, 80_000, 1.0),
         (Scheme::RungeKutta4, 2_000, 3.0),
         (Scheme::ImplicitMidpoint, 4_000, 2.0),
-        // over nine turns its error is of the size of the motion with fewer steps
+        // with fewer steps its error over nine turns is as large as the motion
         (Scheme::BackwardEuler, 80_000, 1.0),
     ] {
         let found = both(scheme, steps);
         assert!((order(found) - theory).abs() < 0.15, "{scheme:?}: {:.2}", order(found));
-        // the angle ends at 60 and is rounded there; f changes at most twice as fast as it, f' twelve times
+        // the angle ends at 60 and is rounded there; f changes at most twice as fast as the angle, f' twelve times
         let rounding = 60.0 * f64::EPSILON;
         let kept = |found: &Measured| found.drift < 2.0 * rounding && found.rate_drift < 12.0 * rounding;
         assert!(found.iter().all(kept), "{scheme:?}: {found:?}");
     }
 }
 
-/// q' = v + M^-1 J^T mu and v' = M^-1 (F + J^T lambda): the columns are those of (mu, lambda), in this order.
+/// In q' = v + M^-1 J^T mu and v' = M^-1 (F + J^T lambda) the columns are those of (mu, lambda), in this order.
 #[test]
 fn the_first_multiplier_moves_the_places_and_the_second_the_velocities() {
     let law = BothHeld::<_, 2, 1>(&regions::MECHANISM);
@@ -147,7 +147,8 @@ fn the_gain_of_the_least_error_does_not_go_with_the_step() {
         let [coarse, fine] = scans.map(|scan| scan.best().expect("some gain is better than none"));
         let ratio = fine.rate / coarse.rate;
         assert!((0.85..1.15).contains(&ratio), "{scheme:?}: {} and {}", coarse.rate, fine.rate);
-        // and is worth it: neither none nor the fastest decay comes near
+        // the chosen gains are worth their cost: neither without stabilisation nor with the fastest decay is the error
+        // as small
         let error = |treatment| of(&goal, scheme, steps, treatment)[0].error;
         assert!(coarse.error < 0.5 * error(Treatment::IndexReduction), "{scheme:?}: {}", coarse.error);
         assert!(coarse.error < 0.1 * error(Treatment::Fastest), "{scheme:?}: {}", coarse.error);

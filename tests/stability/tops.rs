@@ -1,5 +1,5 @@
-//! Degenerate gyrostats with a motor, whose stationary motions form families: the verdict on each arc is compared with eigenvalues of
-//! the equations that run.
+//! Degenerate gyrostats with a motor, whose steady motions form families: the verdict on each arc is compared with
+//! eigenvalues of the compiled equations.
 
 use crate::running::{Law, eigenvalues, state};
 use algebra::real::{Enclosure, Root};
@@ -31,7 +31,7 @@ pub struct Top {
     pub weight: [Rational; 3],
 }
 
-/// A rotor's machine: as formulas, as it runs, and its steady states.
+/// A rotor's machine, in symbolic and in compiled form, and its steady states.
 pub struct Driven<E, M> {
     exact: E,
     running: M,
@@ -119,7 +119,7 @@ impl Top {
         }
     }
 
-    /// The families with one angular velocity; every arc and every edge is compared with the eigenvalues.
+    /// The families with one angular velocity; every arc and every boundary point is compared with the eigenvalues.
     pub fn families<E: Machine<Sym>, M: Machine<f64>>(
         &self,
         driven: Driven<E, M>,
@@ -165,7 +165,7 @@ impl Top {
                     let state = state(&law, v, w.to_f64(), rotor_speed, angle);
                     let found = eigenvalues(&law, &state);
                     let roots = arc.judged.roots.unwrap();
-                    // a zero that is repeated is no better than this
+                    // a double zero eigenvalue is computed with this accuracy only
                     let count = |side: f64| found.iter().filter(|(re, _)| side * re > 1e-6).count();
                     assert_eq!((count(-1.0), count(1.0)), (roots.left, roots.right), "{:?} {found:?}", arc.judged);
                 }
@@ -180,12 +180,12 @@ pub fn along(axis: [i64; 3]) -> [Rational; 3] {
     axis.map(|n| r(n, 1))
 }
 
-/// Rotor and weight along the axis of symmetry: on a circle with 2 w^2 cos = w A'W + 1.
+/// Rotor and weight along the axis of symmetry; the circle has 2 w^2 cos = w A'W + 1.
 pub fn lagrange() -> Top {
     Top { moments: [4, 4, 2], axis: along([0, 0, 1]), weight: along([0, 0, 1]) }
 }
 
-/// The rotor oblique to the axis of symmetry, the weight such that w and A'W leave the circle with this v3.
+/// The rotor oblique to the axis of symmetry, with the weight for which the circle with this v3 is steady at w and A'W.
 pub fn circling(moments: [i64; 3], axis: [Rational; 3], v3: Rational, [w, spin]: [Rational; 2]) -> Top {
     // w^2 (A3 - A1) v3 + w A'W l3 + G3 = 0
     let along = w * w * Rational::int(moments[0] - moments[2]) * v3 - w * spin * axis[2];

@@ -1,4 +1,4 @@
-//! The governor with an elastic rim: Hurwitz' conditions against eigenvalues, energy, the maps.
+//! The governor with an elastic rim: Hurwitz' conditions compared with eigenvalues, the energy, the maps.
 
 use super::*;
 use dalembert_derivations::studies::governors::{SPEED, governor as of_the_maps, growth, has_positive_minors};
@@ -7,7 +7,7 @@ use mechanics::constrained::programmed::violation;
 use mechanics::constrained::{Charted, PointSystem as _, State, massless};
 use symbolic::Sym;
 
-/// The governor of the maps with a rim that is elastic against twisting too.
+/// The governor of the maps, with a rim that is elastic with respect to twisting too.
 fn elastic(load: f64, across: f64) -> ElasticGovernor<f64> {
     ElasticGovernor { twist: -2.0, ..of_the_maps(across, -load) }
 }
@@ -66,7 +66,7 @@ fn the_map_of_stability_is_bounded_by_hurwitz_curve() {
         let stable = map.rows.iter().flatten().filter(|stable| **stable).count();
         for (r, row) in map.rows.iter().enumerate() {
             let load = map.y.1[1] * (r as f64 + 0.5) / map.rows.len() as f64;
-            // the curve has four points a column
+            // the curve has four points per column
             let agrees =
                 row.iter().zip(map.curve.iter().skip(1).step_by(4)).all(|(stable, at)| *stable == (load < at.1));
             assert!(agrees, "{}: row {r}", map.title);
@@ -76,7 +76,7 @@ fn the_map_of_stability_is_bounded_by_hurwitz_curve() {
     }
 }
 
-/// At l = 1/2, x = 3/5 the balls are at 2/5 from the axis: all numbers are rational.
+/// For l = 1/2, x = 3/5 the balls are at the distance 2/5 from the axis, so that all numbers are rational.
 #[test]
 fn the_multipliers_of_the_elastic_governor_give_the_accelerations_of_appells_equations() {
     let data = |name: &str| match name {

@@ -35,7 +35,7 @@ fn constant(governor: &Governor<f64>, start: f64) -> ConstantTorques {
     ConstantTorques { epsilon: law.epsilon, of_second: law.of_second[0], of_first: law.of_first[0], start }
 }
 
-/// rho along the programme.
+/// The distance rho along the programme.
 struct Programme(Governor<f64>);
 
 impl<S: Over<f64> + Analytic> Ode<S> for Programme {
@@ -51,7 +51,8 @@ impl<S: Over<f64> + Analytic> Ode<S> for Programme {
 impl System for Programme {}
 
 fn run(system: &dyn System, span: Span<'_, f64>) -> Vec<f64> {
-    // many times the evaluations of any of them: a law without motion then fails by its outcome instead of endless steps
+    // many times the evaluations that any of the runs needs: a law without a motion then ends with a failure, not with
+    // endless steps
     let span = span.with_evaluations(100_000);
     let outcome = integrate(system, Method::DormandPrince8, &Tolerance::both(1e-13), &span, &mut ());
     assert_eq!(outcome.failure(), None);

@@ -1,4 +1,4 @@
-//! The programme of the movable wheel: closed form, series, contraction, its end.
+//! The programme of the movable wheel: closed form, series, contraction of the distance of two motions, and its end.
 
 use super::*;
 
@@ -25,7 +25,7 @@ fn a_braked_second_shaft_drives_the_wheel_to_the_axis_in_finite_time() {
     let ProgrammeEnd::ReachesAxis { time } = closed.course() else { panic!("{:?}", closed.course()) };
     assert!((time + 0.09 / (2.0 * closed.epsilon * closed.of_second)).abs() < 1e-15);
     assert_eq!(closed.distance(time), None);
-    // half the distance is left at three quarters of the time: the speed grows without bound
+    // half of the distance remains after three quarters of the time, since the speed grows without bound
     assert!((closed.distance(0.75 * time).expect("before the end") - 0.15).abs() < 1e-14);
     let span = Span::new(0.0, 1.01 * time, &[0.3]).with_evaluations(200_000);
     let past = integrate(&Programme(data), Method::DormandPrince8, &Tolerance::both(1e-10), &span, &mut ());
@@ -44,7 +44,7 @@ fn the_wheel_tends_to_its_place_where_the_first_shaft_takes_what_the_second_give
 
 #[test]
 fn two_motions_approach_by_the_exact_law_of_contraction() {
-    /// Two motions and the integral of k1/(k rho_a rho_b).
+    /// Two motions, and the integral of k1/(k rho_a rho_b).
     struct Pair(Governor<f64>);
     impl<S: Over<f64> + Analytic> Ode<S> for Pair {
         fn dimension(&self) -> usize {
@@ -166,7 +166,7 @@ fn the_counterexamples_to_rank_and_to_staying_on_the_disc_are_governors() {
     assert_eq!(leaving.distance(4.0), Some(3.0), "past the edge of a disc of radius 2");
 }
 
-/// Every form of the quadrature, every long-time behaviour, and the ends.
+/// All cases of the quadrature, of the long-time behaviour, and of the end.
 #[test]
 fn between_two_discs_the_programme_is_the_quadrature() {
     let between = |first: f64, second: f64| Governor {

@@ -1,8 +1,8 @@
-//! Optimal stabilisation: the cost of a run against the value by Riccati's equation.
+//! Optimal stabilisation: the cost of a run compared with the value from Riccati's equation.
 
 use super::*;
 
-/// Riccati's equation backwards with the programme, and the optimal motion with its cost.
+/// Riccati's equation backwards in time together with the programme, and the optimal motion with its cost.
 struct Backwards(Governor<f64>);
 
 const WEIGHTS: [f64; 3] = [1.0, 1.0, 1.0];
@@ -19,7 +19,7 @@ impl Backwards {
     }
 }
 
-/// y = (C11, C12, C13, C22, C23, C33, rho_0, x, cost).
+/// The state y = (C11, C12, C13, C22, C23, C33, rho_0, x, cost).
 impl<S: Over<f64> + Analytic> Ode<S> for Backwards {
     fn dimension(&self) -> usize {
         11
@@ -52,7 +52,7 @@ fn the_cost_of_the_optimal_motion_is_riccatis_value() {
     let data = governor(moments);
     let horizon = 3.0;
     let at_end = run(&Programme(data), Span::new(0.0, horizon, &[0.3]))[0];
-    // C(T) = 0; where the motion ends is free, and decides where it begins
+    // C(T) = 0; the final position is free and determines the initial one
     let mut state = vec![0.0; 6];
     state.extend([at_end, 0.05, -0.03, 0.04, 0.0]);
     let begun = run(&Backwards(data), Span::new(horizon, 0.0, &state));
@@ -62,7 +62,7 @@ fn the_cost_of_the_optimal_motion_is_riccatis_value() {
     assert!(cost > 0.0 && (value / cost - 1.0).abs() < 1e-10, "{value} and {cost}");
 }
 
-/// The nonlinear governor on a resting programme under a constant law of control, with its cost.
+/// The nonlinear governor near a programme at rest, under a constant control law, with its cost.
 struct Closed {
     governor: Governor<f64>,
     rho: f64,
@@ -94,7 +94,7 @@ impl System for Closed {}
 
 #[test]
 fn the_stationary_solution_stabilises_the_governor_at_its_value() {
-    // M2 = -rho M1/R: the wheel rests, A is constant, and Riccati's solution has a limit
+    // M2 = -rho M1/R: the wheel is at rest, A is constant, and Riccati's solution has a limit
     let data = steady(-0.5, 0.4);
     let rho = 0.4;
     let mut state = vec![0.0; 6];
@@ -110,7 +110,7 @@ fn the_stationary_solution_stabilises_the_governor_at_its_value() {
     let start = [1e-4, -2e-4, 1e-4];
     let end = run(&closed, Span::new(0.0, 60.0, &[SPEED + start[0], rho + start[1], start[2], 0.0]));
     assert!((end[0] - SPEED).abs() < 1e-9 && (end[1] - rho).abs() < 1e-9, "{end:?}");
-    // V is quadratic: the cost differs from it by the third order
+    // V is quadratic; the cost differs from it in third order
     let expected = quadratic(value, start);
     assert!((end[3] / expected - 1.0).abs() < 5e-3, "{} and {expected}", end[3]);
 }

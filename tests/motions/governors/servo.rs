@@ -1,4 +1,4 @@
-//! The programme by multipliers and a control force: compared with Appell's equations, exactly.
+//! The programme by multipliers and a control force, compared exactly with Appell's equations.
 
 use super::*;
 use dalembert_derivations::systems::governor::servo::Kept;
@@ -10,7 +10,8 @@ use mechanics::constrained::{Charted, State};
 use mechanics::differentiate::along;
 use symbolic::Sym;
 
-/// A fraction as an expression: the chart needs a field with cosines, here only at zero angles.
+/// A fraction as an expression: the chart requires a scalar type with cosines, which are needed here at zero angles
+/// only.
 fn ratio(n: i64, d: i64) -> Sym {
     Sym::ratio(n, d)
 }
@@ -30,7 +31,7 @@ fn of_rationals(gearing: Gearing<Sym>) -> Governor<Sym> {
     }
 }
 
-/// The governor that keeps a speed, on its programme at an instant.
+/// The governor with prescribed speed, in its programmed motion at an instant.
 fn on_its_programme(gearing: Gearing<Sym>, [time, rho, speed]: [Sym; 3]) -> (Kept<Sym>, State<Sym, 7>) {
     let governor = of_rationals(gearing);
     let zero = ratio(0, 1);
@@ -58,7 +59,7 @@ fn the_control_is_the_force_of_appells_equations_and_the_wheel_moves_as_the_prog
             let found: Steered<_, 7, 1> = steered(&kept, none, &state).expect("the contacts are independent");
             let [time, rho, speed] = at;
             assert_eq!(found.acceleration[6], kept.governor.programme_acceleration(time, rho, speed));
-            // besides the push of the data
+            // in addition to the force of the data
             assert_eq!(found.controls[0] + kept.governor.push, kept.governor.control_force(time, rho, speed));
             let still = violation(&kept, none.0, &state).expect("they are");
             assert_eq!(
@@ -92,7 +93,7 @@ fn a_speed_that_is_off_is_led_back_as_its_gains_say() {
     let led = (&Linear::<Sym, 5>::baumgarte(gain, gain), &Linear::<Sym, 1>::baumgarte(gain, gain));
     for gearing in gearings() {
         let (kept, mut state) = on_its_programme(gearing, [ratio(1, 2), ratio(2, 7), ratio(2, 1)]);
-        // off the contacts, the speed and its rate
+        // now the contact conditions, the speed and its rate are violated
         (state.velocity[1], state.velocity[3], state.velocity[6]) = (ratio(5, 3), ratio(11, 5), ratio(1, 9));
         let now = violation(&kept, led.0, &state).expect("the contacts are independent");
         let found: Steered<_, 7, 1> = steered(&kept, led, &state).expect("they are");
@@ -104,7 +105,7 @@ fn a_speed_that_is_off_is_led_back_as_its_gains_say() {
         let second = violation(&kept, led.0, &moving).expect("they are").rate[0].slope;
         let two = ratio(2, 1);
         assert_eq!(second, -(two * gain * now.rate[0]) - gain * gain * now.value[0]);
-        // and the rate is that of the motion, whatever the control
+        // and the rate is that of the motion, for any control
         assert_eq!(kept.kept(&moving)[0].slope, now.rate[0]);
         assert!(now.rate[0] != ratio(0, 1) && now.value[0] != ratio(0, 1));
     }

@@ -1,4 +1,4 @@
-//! Chosen models keep their tolerance, against references on which two methods agree to 24 digits.
+//! Chosen models satisfy their tolerance, compared with references on which two methods agree to 24 digits.
 
 use super::{ladder, path, scene};
 use dalembert_derivations::studies::model_reduction::loss_weights::propagator;
@@ -28,7 +28,8 @@ fn times(ladder: &Hierarchy) -> Vec<f64> {
     instants(ladder.own.span).collect()
 }
 
-/// A scene's hierarchy, its outputs of interest, and the schedule of the model with currents at the present slip for an allowed error.
+/// A scene's model hierarchy, its outputs of interest, and, for an allowed error, the schedule of the model with
+/// currents in the steady state of the present slip.
 fn scheduled(name: &str, allowed: f64) -> (Hierarchy, Watched, Schedule) {
     let scene = scene(name);
     let ladder = ladder(&scene);
@@ -53,7 +54,7 @@ fn every_run_of_a_receipt_keeps_the_tolerance() {
     }
 }
 
-/// In these motors the slow windings decay long before the first of the references' instants, at which no error is left.
+/// In these motors the slow windings decay long before the first instant of the references, at which no error remains.
 #[test]
 fn what_is_promised_holds_between_the_instants_too() {
     const DENSE: usize = 4_000;
@@ -96,7 +97,7 @@ fn a_tighter_tolerance_asks_for_a_larger_model() {
     assert!(loose < middle && middle < tight, "{loose} {middle} {tight}");
 }
 
-/// Near the end of the run the rotor is synchronous, and its currents are those of the present slip.
+/// Near the end of the run the rotor is synchronous, and its currents are in the steady state of the present slip.
 #[test]
 fn a_run_that_switches_is_as_good_as_it_promises() {
     let (ladder, watched, schedule) = scheduled("spin_up", 1e-2);
@@ -140,8 +141,8 @@ fn what_weighs_a_loss_is_the_transition_matrix() {
     }
 }
 
-/// The loss of an interval is compared with the dual weights along the smaller model's run: the largest contribution of the interval
-/// to an error at the end of any interval.
+/// The error bound of an interval is compared with the dual weights along the reduced model's run: the largest
+/// contribution of the interval to an error at the end of any interval.
 #[test]
 fn what_a_stretch_loses_is_the_most_that_the_dual_makes_of_it() {
     let (mut ladder, watched, all) = scheduled("hanging_rest", f64::INFINITY);
@@ -157,11 +158,11 @@ fn what_a_stretch_loses_is_the_most_that_the_dual_makes_of_it() {
         }
     }
     let dual: f64 = largest.iter().sum();
-    // along the smaller model's run, whose error is itself one of a hundredth
+    // along the reduced model's run, whose own relative error is about one hundredth
     assert!((1.0..1.1).contains(&(all.promised / dual)), "{:e} {dual:e}", all.promised);
 }
 
-/// For each interval, a run with the smaller model on it alone and the richer model on the rest.
+/// For each interval, a run with the reduced model on this interval only, and with the full model otherwise.
 #[test]
 fn what_all_stretches_lose_is_the_sum_of_what_each_alone_makes_of_the_run() {
     let (ladder, watched, all) = scheduled("hanging_rest", f64::INFINITY);

@@ -1,9 +1,9 @@
-//! Random motors, alone and in gyrostats, as scene files, reproducible by a seed.
+//! Random motors, on benches and in gyrostats, as scene files; they are reproducible by a seed.
 
 use simulation::ensemble::draw::Draw;
 use std::fmt::Write;
 
-/// The numbers of one scene, one after another.
+/// A sequence of random numbers for one scene.
 pub struct Numbers {
     draw: Draw,
     next: usize,
@@ -24,13 +24,14 @@ impl Numbers {
         low + (high - low) * self.even()
     }
 
-    /// A number with an even distribution of its logarithm.
+    /// A number whose logarithm is uniformly distributed.
     pub fn scale(&mut self, low: f64, high: f64) -> f64 {
         low * (high / low).powf(self.even())
     }
 }
 
-/// A scene: on a bench or in a gyrostat, synchronous or not, with any time constants of the currents.
+/// A scene: on a bench or in a gyrostat, with a synchronous or another motor, with arbitrary time constants of the
+/// currents.
 pub fn scene(seed: u64) -> String {
     let mut draw = Numbers::new(seed, "motor");
     let mut text = String::from("title = \"drawn\"\n");

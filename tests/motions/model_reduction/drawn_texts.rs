@@ -2,7 +2,7 @@
 
 use super::drawn::Numbers;
 
-/// The kinds that are drawn in turn.
+/// The number of kinds, which are generated in turn.
 pub const KINDS: u64 = 14;
 
 /// A scene and the name of its kind.

@@ -1,4 +1,4 @@
-//! Error estimates compared with true errors, and with a second method.
+//! Error estimates compared with true errors, and with a second method of estimation.
 
 use super::{corrected, drawn, exactly, ladder, scene, tight, truly};
 use dalembert_derivations::studies::model_reduction::Loss;
@@ -44,7 +44,7 @@ fn an_estimate_is_the_error_up_to_its_second_order_on_every_scene_with_a_motor()
     assert!(believed >= 14, "{believed}");
 }
 
-/// This fails with a wrong sign or a missing term in the error equation.
+/// A wrong sign or a missing term in the error equation makes this test fail.
 #[test]
 fn an_estimate_that_is_added_leaves_an_error_of_the_second_order() {
     let scene = scene("hanging_rest");
@@ -82,7 +82,8 @@ fn an_error_that_cannot_be_estimated_is_not_believed() {
     }
 }
 
-/// The dual-weighted error, backwards by transition matrices, against the error equation, forwards by derivatives.
+/// The dual-weighted error, backwards in time by transition matrices, compared with the error equation, forwards by
+/// derivatives.
 #[test]
 fn two_routes_to_an_error_agree() {
     for (name, model) in [
@@ -111,13 +112,13 @@ fn two_routes_to_an_error_agree() {
     }
 }
 
-/// Signs of errors are checked too; the tests above compare sizes alone.
+/// The signs of errors are checked too; the tests above compare absolute values only.
 #[test]
 fn shares_add_up_to_what_the_richer_run_is_above_the_lower_one_with_its_sign() {
     for (name, model) in [
         ("hanging_rest", "currents at the present slip"),
         ("hanging_rest", "constant_speed"),
-        // a linear law, from currents that its windings do not have at once
+        // a linear law; at the start the windings do not have the currents of the reduced model
         ("machines/brushed_bench", "currents at rest"),
     ] {
         let scene = scene(name);

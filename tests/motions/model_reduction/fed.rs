@@ -1,4 +1,4 @@
-//! Windings with a supply: their steady currents, compared with the circuits and with a motor in closed form.
+//! Windings with a supply: their steady currents, compared with the circuit equations and with a motor in closed form.
 
 use super::{ladder, scene, tight};
 use dalembert_derivations::studies::model_reduction::sampled_run::followed;
@@ -27,7 +27,7 @@ fn currents_that_stand_for_fed_ones_leave_their_circuits_at_rest() {
     }
 }
 
-/// A' W' = k (v - k W)/R - f W with the steady current: W tends to v k/(k^2 + R f) at the rate (k^2/R + f)/A'.
+/// With the steady current A' W' = k (v - k W)/R - f W: W tends to v k/(k^2 + R f) at the rate (k^2/R + f)/A'.
 #[test]
 fn a_brushed_motor_without_induction_runs_up_as_its_closed_form() {
     let (voltage, flux, resistance, friction, axial) = (24.0, 0.045, 0.6, 1e-4, 2.4e-4);

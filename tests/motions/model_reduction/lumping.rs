@@ -1,4 +1,4 @@
-//! Exact lumping of windings, and the error of merging windings with different time constants.
+//! Exact lumping of windings, and the error of lumping windings with different time constants.
 
 use super::{ladder, scene};
 use dalembert_derivations::studies::model_reduction::currents::Current;
@@ -9,7 +9,7 @@ use integrators::{Method, Ode, Record, Span, System, Tolerance, integrate};
 use motor::{Bench, Machine, RotorState, torque_and_current_rates};
 use symbolic::Sym;
 
-/// Bars of any kind: half-tangents of their angles, a, L, R.
+/// Bars with arbitrary data: half-angle tangents of their positions, a, L, R.
 #[derive(Clone)]
 struct Bars<P> {
     field_speed: P,
@@ -47,7 +47,7 @@ impl<P: Base> Machine<P> for Bars<P> {
     }
 }
 
-/// (half-tangent, a, L, R) of each bar as hundredths.
+/// The data (half-angle tangent, a, L, R) of each bar, in hundredths.
 fn bars<P: Base>(data: &[[i64; 4]], number: impl Fn(Rational) -> P + Copy) -> Bars<P> {
     let hundredths = |n: i64| number(Rational::new(n, 100));
     let each = |&[t, a, l, r]: &[i64; 4]| {
@@ -60,7 +60,7 @@ fn bars<P: Base>(data: &[[i64; 4]], number: impl Fn(Rational) -> P + Copy) -> Ba
 const ONE_RATIO: [[i64; 4]; 5] =
     [[10, 30, 2, 20], [55, 20, 3, 30], [-130, 40, 5, 50], [700, 10, 1, 10], [-31, 25, 4, 40]];
 
-/// A motor alone, to be integrated.
+/// A motor on a bench, to be integrated.
 struct On<M>(Bench<f64, M>);
 
 impl<S: Over<f64> + Analytic, M: Machine<f64>> Ode<S> for On<M> {
@@ -108,12 +108,13 @@ fn windings_of_two_ratios_stay_two_families() {
     data.extend(ONE_RATIO.map(|[t, a, l, r]| [t + 7, a, l, 2 * r]));
     assert_eq!(Lumping::of(&bars(&data, Sym::constant)).expect("it is exact").windings.len(), 4);
     assert!(Lumping::of(&bars(&[ONE_RATIO[0], [55, 20, 3, 31]], Sym::constant)).is_none());
-    // on one line one winding is enough
+    // bars on one line are equivalent to one winding
     let line = [[50, 30, 2, 20], [50, 20, 3, 30], [-200, 10, 1, 10]];
     assert_eq!(Lumping::of(&bars(&line, Sym::constant)).expect("it is exact").windings.len(), 1);
 }
 
-/// In spin_up the excitation has the damper's ratio, 40/s, and is lumped with it; in stiff_damper it is not.
+/// In spin_up the excitation winding has the same ratio R/L as the damper, 40/s, and is lumped with it; in stiff_damper
+/// it has not.
 #[test]
 fn the_scenes_damper_and_excitation_are_lumped_by_their_ratios() {
     for (name, own, lumped) in [("spin_up", 9, 2), ("bench", 9, 2), ("stiff_damper", 9, 3)] {
@@ -139,7 +140,7 @@ fn what_is_said_to_be_proved_for_all_data_stands_in_the_ledger() {
     assert_eq!(count, 1);
 }
 
-/// L i' + R i = -psi' s for the one, R i = -psi' s for the other.
+/// The circuit equations: L i' + R i = -psi' s for one model, R i = -psi' s for the other.
 #[test]
 fn the_currents_that_stand_for_others_obey_their_circuits_at_constant_slip() {
     let machine = bars(&ONE_RATIO, Rational::to_f64);
@@ -156,7 +157,7 @@ fn the_currents_that_stand_for_others_obey_their_circuits_at_constant_slip() {
     }
 }
 
-/// All bars along the motion of one motor, and the bars merged at one ratio along this motion.
+/// All bars along the motion of one motor, and the bars lumped to one ratio R/L along this motion.
 struct SameWay {
     bars: Bars<f64>,
     merged: Bars<f64>,

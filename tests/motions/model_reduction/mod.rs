@@ -1,4 +1,4 @@
-//! Model reduction: exact lumping, error estimates, the choice.
+//! Model reduction: exact lumping, error estimates, choice of the model.
 
 mod choice;
 mod drawn;
@@ -42,7 +42,7 @@ fn ladder(scene: &Scene) -> Hierarchy {
     Hierarchy::of_scene(scene, Axes::First)
 }
 
-/// A tolerance tight enough for any error that is compared here.
+/// A tolerance tight enough for every error that is compared here.
 fn tight() -> Tolerance {
     Tolerance::both(1e-11)
 }
@@ -51,12 +51,13 @@ fn exactly(ladder: &Hierarchy) -> Record<f64> {
     followed(&*ladder.law, &tight(), ladder.own.span, &ladder.start).expect("it reaches its end").0
 }
 
-/// The richer model's states at these times, the last of which is the end.
+/// The full model's states at these times, the last of which is the end.
 fn exactly_at(ladder: &Hierarchy, times: &[f64]) -> Record<f64> {
     followed_at(&*ladder.law, &tight(), times, &ladder.start).expect("it reaches its end").0
 }
 
-/// The true error of a reduced model, by runs of both models: at the instants, and where the estimate is largest.
+/// The true error of a reduced model, from runs of both models: at the sampled instants, and where the estimate is
+/// largest.
 fn truly(ladder: &Hierarchy, reduced: &ReducedModel, found: &Estimate, watched: &Watched) -> Option<f64> {
     let mut times: Vec<f64> = instants(ladder.own.span).chain((found.at > 0.0).then_some(found.at)).collect();
     times.sort_by(f64::total_cmp);
@@ -65,7 +66,7 @@ fn truly(ladder: &Hierarchy, reduced: &ReducedModel, found: &Estimate, watched: 
     Some(ladder.difference(reduced, &low, &exactly_at(ladder, &times), watched))
 }
 
-/// The largest error of a smaller model's run corrected by the first-order estimate, at the sampled times.
+/// The largest error of a reduced model's run after correction by the first-order estimate, at the sampled times.
 fn corrected(ladder: &Hierarchy, found: &Estimate, watched: &Watched) -> f64 {
     let times: Vec<f64> = found.corrected.iter().map(|(time, _)| *time).collect();
     let exact = exactly_at(ladder, &times);

@@ -1,4 +1,4 @@
-//! The choice for text models: errors stay below their estimates, and a smaller model that suffices is taken.
+//! The choice for text models: errors are below their estimates, and a smaller model that suffices is chosen.
 
 use super::drawn_texts::{KINDS, scene};
 use dalembert_derivations::studies::model_reduction::{
@@ -10,7 +10,7 @@ use simulation::models::{Limit, Modelled, readers};
 use std::sync::Arc;
 use std::time::Duration;
 
-/// Instants at which a run is compared with the exact one.
+/// The number of instants at which a run is compared with the reference run.
 const DENSE: usize = 2_000;
 
 fn opened(text: &str) -> Arc<dyn Modelled> {
@@ -25,7 +25,7 @@ fn chosen(scene: &Arc<dyn Modelled>, tolerance: f64) -> (TextModels, Receipt) {
     (models, receipt)
 }
 
-/// The largest error of a choice over a dense run.
+/// The largest error of a choice at these instants.
 fn off(models: &TextModels, receipt: &Receipt, line: usize, choice: &Choice) -> f64 {
     let own = &models.forms(0)[0];
     let dense: Vec<f64> = (1..=DENSE).map(|k| own.span * k as f64 / DENSE as f64).collect();
@@ -57,7 +57,7 @@ fn what_is_taken_of_random_systems_keeps_its_tolerance_over_the_whole_run() {
     assert!(smaller >= 20, "{smaller}");
 }
 
-/// The elements that are left out are those with fast time scales, and a run by the printed name repeats the run.
+/// The omitted elements are those with fast time scales, and a run of the model by its printed name repeats the run.
 #[test]
 fn a_motor_of_small_inductance_is_run_without_its_transient_and_a_short_pendulum_apart_is_not_followed() {
     let taken = |text: &str, tolerance: f64| {
@@ -81,7 +81,8 @@ fn a_motor_of_small_inductance_is_run_without_its_transient_and_a_short_pendulum
     assert_eq!(taken(&motor.join("\n"), 1e-2), "quasi-steady drive.q'; unfollowed theta,drive.q");
 }
 
-/// A transient of the time constant T that is left out gives the error of its first value, and then of T times the rate.
+/// If a transient with the time constant T is omitted, the error is its initial value at first, and then T times the
+/// rate.
 #[test]
 fn the_error_of_a_transient_that_is_left_out_is_that_of_its_closed_form() {
     let text = "title = \"creeping\"\n[parameters]\nm = \"1 g\"\n[coordinates]\nx = \"m\"\n[points]\nA = \"O + x*N.x\"\n\
@@ -98,7 +99,7 @@ fn the_error_of_a_transient_that_is_left_out_is_that_of_its_closed_form() {
     let (lines, _) = models.lines(&watched, 1e-3);
     let place = lines.iter().position(|line| line.name == "quasi-steady x'").expect("it is found");
     let found = estimates[place - 1].as_ref().expect("an estimate");
-    // x'' = -1000 (x + x') beside x' = -x: the roots are those of s^2 + 1000 s + 1000
+    // x'' = -1000 (x + x') compared with x' = -x: the exponents are the roots of s^2 + 1000 s + 1000
     let root = (1e6f64 - 4e3).sqrt();
     let (slow, fast) = ((-1e3 + root) / 2.0, (-1e3 - root) / 2.0);
     let exact = |t: f64| (fast * (slow * t).exp() - slow * (fast * t).exp()) / (fast - slow);
@@ -106,7 +107,7 @@ fn the_error_of_a_transient_that_is_left_out_is_that_of_its_closed_form() {
     assert!((found.first / off - 1.0).abs() < 0.02, "{:e} {off:e}", found.first);
 }
 
-/// States at the steps of a run.
+/// The states after each step of a run.
 struct Along(Vec<(f64, Vec<f64>)>);
 
 impl Observer<f64> for Along {
@@ -115,7 +116,7 @@ impl Observer<f64> for Along {
     }
 }
 
-/// A block with negligible dry friction, with further text, such as a motor with negligible inductance.
+/// A block with negligible dry friction, and additional text, for example a motor with negligible inductance.
 fn sliding(extra: &str) -> String {
     format!(
         "title = \"sliding\"\n[parameters]\nm = \"1 kg\"\nk = \"1 N/m\"\nF = \"1e-9 N\"\nL = \"1e-5 H\"\n[coordinates]\nx = \"m\"\n{extra}\n\
@@ -123,7 +124,7 @@ fn sliding(extra: &str) -> String {
     )
 }
 
-/// An element that is left out brings no event condition, and the run agrees with the closed form.
+/// If an element is omitted, its event condition is omitted too, and the run agrees with the closed form.
 #[test]
 fn dry_friction_that_hardly_acts_is_left_out_with_its_condition() {
     let scene = opened(&sliding("[energies]\nkinetic = \"m*x'^2/2\""));
@@ -141,7 +142,7 @@ fn dry_friction_that_hardly_acts_is_left_out_with_its_condition() {
     assert!(refused.contains("`F` is left out"), "{refused}");
 }
 
-/// A current whose inductance is left out obeys U = R i, and the block that it moves keeps its event condition.
+/// A current whose inductance is omitted satisfies U = R i, and the block that it moves retains its event condition.
 #[test]
 fn an_inductance_beside_a_condition_is_left_out_and_the_condition_stays() {
     let motor = "q = \"C\"\n[energies]\nkinetic = \"m*x'^2/2 + L*q'^2/2\"\n[[force]]\nalong = \"q\"\nis = \"(3 V) - (2 ohm)*q'\"\n\
@@ -160,7 +161,8 @@ fn an_inductance_beside_a_condition_is_left_out_and_the_condition_stays() {
     assert!(off < 1e-3, "{off:e}");
 }
 
-/// Two masses joined by a spring of stiffness K; the second has an initial velocity, the first another spring to the ground.
+/// Two masses connected by a spring of stiffness K; the second mass has an initial velocity, the first one another
+/// spring to the ground.
 fn pair(spring: &str) -> String {
     format!(
         "title = \"pair\"\n[parameters]\nm = \"1 kg\"\nM = \"2 kg\"\nk = \"12 N/m\"\nK = \"1e7 N/m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
@@ -170,7 +172,8 @@ fn pair(spring: &str) -> String {
     )
 }
 
-/// For each description of the spring, the limit is one mass m + M with the initial momentum: x = 2 sin(2 t)/2.
+/// For each description of the spring the limit of large stiffness is one mass m + M with the initial momentum: x = 2
+/// sin(2 t)/2.
 #[test]
 fn a_spring_without_bound_joins_two_masses_and_keeps_their_momentum() {
     let springs = [
@@ -199,7 +202,8 @@ fn what_is_no_spring_and_no_damper_does_not_grow_without_bound() {
     }
 }
 
-/// The model without an element has the law of the data with zero for its parameter, wherever that law exists.
+/// The model without an element has the law that results from setting the element's parameter to zero, if that law
+/// exists.
 #[test]
 fn what_is_left_out_is_what_is_zero() {
     let mut compared = 0;
@@ -228,7 +232,7 @@ fn what_is_left_out_is_what_is_zero() {
     assert!(compared >= 25, "{compared}");
 }
 
-/// The eigenvalues of two blocks on one spring, one of them on a floor: their iteration once did not terminate.
+/// The eigenvalues of two blocks on one spring, one of them on a floor: once their iteration did not terminate.
 #[test]
 fn two_blocks_on_a_spring_of_which_one_touches_a_floor_are_decided() {
     let text = "title = \"blocks\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"1 kg\"\ng = \"9.81 m/s^2\"\nK = \"1e3 N/m\"\n\

@@ -1,4 +1,4 @@
-//! Basins of attraction of synchronism: initial states that reach it.
+//! Basins of attraction of synchronism: the initial states from which it is reached.
 
 use super::{pendulum, scene};
 use dalembert_derivations::studies::scene::{Scene, Setup};
@@ -15,7 +15,7 @@ fn told(all: &[Share]) -> Vec<(usize, usize, usize)> {
 #[test]
 fn below_the_pull_in_all_starts_come_into_step_beyond_the_pull_out_none_between_them_some() {
     let scene = pendulum(0.2);
-    // pull-in at a drag of 0.253, of which friction takes 2
+    // pull-in occurs at a total braking torque of 0.253, of which friction contributes 2
     let loads = [0.1, 0.24, 0.27, 0.4, 0.6, 1.02].map(|drag| drag - 2.0);
     let found = shares(&scene, &loads, STARTS, 150.0).expect("a motor");
     assert!(found[..2].iter().all(|share| share.in_step == share.starts), "{:?}", told(&found));
@@ -59,7 +59,7 @@ fn in_an_upright_gyrostat_the_same_starts_come_into_step_as_with_a_lighter_rotor
     assert!((axial - 1.6e-4).abs() < 1e-18, "{axial}");
     let bench = |axial| Scene { system: Setup::Bench { axial }, ..upright.clone() };
     let starts = Starts { slip: [-150.0, 0.0], ..STARTS };
-    // drags of 0.04 to 0.14, of which friction takes 0.225
+    // total braking torques of 0.04 to 0.14, of which friction contributes 0.225
     let loads = [0.04, 0.06, 0.08, 0.1, 0.14].map(|drag| drag - 0.225);
     let counts = |scene: &Scene| told(&shares(scene, &loads, starts, 4.0).expect("a motor"));
     let (found, light, heavy) = (counts(&upright), counts(&bench(axial)), counts(&bench(2.4e-4)));

@@ -37,7 +37,7 @@ fn between_the_folds_the_angle_is_stable_and_beyond_it_is_not() {
         for one in all.iter().filter(|one| !one.fold) {
             assert_eq!(one.growth < 0.0, one.angle.abs() < FRAC_PI_2, "{one:?}");
         }
-        // at a fold an eigenvalue is zero, up to rounding among those of the windings
+        // at a fold one eigenvalue is zero, up to rounding errors from the eigenvalues of the windings
         assert!(folds(&all).iter().all(|fold| fold.growth.abs() < 1e-10 * motor.facts.frequency));
     }
 }

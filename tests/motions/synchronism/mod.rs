@@ -17,7 +17,7 @@ fn loaded(scene: &Scene) -> Loaded {
     Loaded::of(scene).expect("it follows its field")
 }
 
-/// g'' = -damping (g' + 10) - sin g - load: a motor without currents in its own units.
+/// The equation g'' = -damping (g' + 10) - sin g - load: a motor without currents in dimensionless form.
 fn pendulum(damping: f64) -> Scene {
     let text = format!(
         r#"

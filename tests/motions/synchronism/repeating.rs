@@ -1,11 +1,12 @@
-//! Periodic motions by shooting, against closed forms.
+//! Periodic motions by shooting, compared with closed forms.
 
 use field::{Analytic, Over};
 use integrators::{ContinuationSettings, Ode, PeriodicMotions, System, continue_branch};
 use simulation::CompiledLaw;
 use std::f64::consts::TAU;
 
-/// x' = x (p - r^2) - y, y' = y (p - r^2) + x: the circle r^2 = p in the time 2 pi, with the multiplier exp(-4 pi p).
+/// The law x' = x (p - r^2) - y, y' = y (p - r^2) + x: the circle r^2 = p is a periodic motion with the period 2 pi and
+/// the multiplier exp(-4 pi p).
 struct Circular;
 
 impl<S: Over<f64> + Analytic> Ode<S> for Circular {
@@ -19,7 +20,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for Circular {
     }
 }
 
-/// g'' = -p - d g' with d = 0.5: without a field the slip is -p/d, and the multiplier of a turn exp(-d T).
+/// The law g'' = -p - d g' with d = 0.5: without a field the slip is -p/d, and the multiplier of a turn is exp(-d T).
 struct Uniform;
 
 impl<S: Over<f64> + Analytic> Ode<S> for Uniform {

@@ -1,4 +1,4 @@
-//! The energy that is lost is the work of friction and resistance, to the order of the method.
+//! The energy loss equals the work of friction and resistance, up to the order of the method.
 
 use super::runs;
 use dalembert_derivations::studies::scene::Setup as Kind;
@@ -14,7 +14,7 @@ const TIME: f64 = 0.4;
 /// The number of instants at which the energy is compared.
 const INSTANTS: usize = 8;
 
-/// A gyrostat with its dissipated energy D as a state: D' = sum R_k i_k^2 - m g'.
+/// A gyrostat with its dissipated energy D as an additional state: D' = sum R_k i_k^2 - m g'.
 struct Losing(Driven<f64, FirstForm<f64>, Motor>);
 
 impl<S: Over<f64> + Analytic> Ode<S> for Losing {
@@ -35,8 +35,8 @@ impl<S: Over<f64> + Analytic> Ode<S> for Losing {
 
 impl System for Losing {}
 
-/// Asserts that the energy loss of every splitting equals heat and friction: bounds on the error of the lost energy at the instants,
-/// and on any increase of E - W p + c0 g, c0 = -m(0).
+/// Asserts that the energy loss of every splitting equals heat and friction, by bounds on the error of the lost energy
+/// at the instants, and on any increase of E - W p + c0 g, c0 = -m(0).
 fn loses_what_is_taken(bodies: &Gyrostat<f64>, machine: Motor, state: &[f64]) {
     assert_eq!(machine.rotor(), RotorState::AngleAndSpeed);
     let friction = machine.torque_law(0.0, machine.frame_speed());
@@ -77,7 +77,7 @@ fn loses_what_is_taken(bodies: &Gyrostat<f64>, machine: Motor, state: &[f64]) {
     }
 }
 
-/// The energy lost by each instant: the integral of heat and friction in double-double, confirmed by the energies.
+/// The energy lost up to each instant: the integral of heat and friction in double-double, confirmed by the energies.
 fn reference(losing: &Losing, state: &[f64]) -> Vec<f64> {
     let mut start: Vec<DoubleDouble> = state.iter().map(|y| DoubleDouble::from(*y)).collect();
     start.push(DoubleDouble::from(0.0));

@@ -1,4 +1,5 @@
-//! Quantities that splitting steps preserve: |v|, x.v, the Poisson bracket, the energy within bounds, the contraction of volumes.
+//! Quantities that splitting steps preserve: |v|, x.v, the Poisson bracket, the energy within bounds, the contraction
+//! of volumes.
 
 use super::runs::{self, SCENES, split};
 use dalembert_derivations::studies::scene::Setup;
@@ -11,7 +12,7 @@ use motor::{Motor, Point as RotorPoint, Separable};
 use nalgebra::{DMatrix, Vector3};
 use simulation::Axes;
 
-/// The deviation of an invariant by name at the end of a run, relative to its size at the start or to the scale given.
+/// The deviation of a named invariant at the end of a run, relative to its initial magnitude or to the given scale.
 fn drift(name: &str, model: Option<&str>, method: Method, time: f64, invariant: &str, scale: f64) -> f64 {
     let problem = runs::problem(name, model, Axes::First);
     let found = problem.invariants.iter().find(|known| known.name == invariant).expect("the scene has it");
@@ -19,8 +20,8 @@ fn drift(name: &str, model: Option<&str>, method: Method, time: f64, invariant: 
     ((found.value)(time, &outcome.state) - (found.value)(0.0, &problem.state)).abs() / scale
 }
 
-/// Each of n rotations rounds v by about half a unit in a random direction: a random walk of about sqrt(n) units, and not n.
-/// Four times that is allowed; n units would be far more.
+/// Each of n rotations changes the length of v by about half a rounding unit with a random sign: a random walk with a
+/// displacement of about sqrt(n) units. Four times this is allowed, which is far less than n units.
 #[test]
 fn the_length_of_the_vertical_and_the_vertical_momentum_walk_at_random() {
     for (name, model) in SCENES {
@@ -29,7 +30,7 @@ fn the_length_of_the_vertical_and_the_vertical_momentum_walk_at_random() {
             let turns = f64::from(steps) * (4.0 * splitting.stages() as f64 + 1.0);
             let allowed = 4.0 * turns.sqrt() * f64::EPSILON / 2.0;
             let length = drift(name, model, split(splitting, steps), 20.0, "vertical_length", 2.0);
-            // x is below 0.1 kg m^2/s on these scenes
+            // |x| is below 0.1 kg m^2/s in these scenes
             let momentum = drift(name, model, split(splitting, steps), 20.0, "vertical_momentum", 0.1);
             let what = format!("{name} {model:?} {}", splitting.name());
             assert!(length < allowed, "{what}: |v| by {length:.1e}, allowed {allowed:.1e}");
@@ -44,8 +45,9 @@ fn a_rotor_without_moment_keeps_its_spin_exactly() {
     assert!(spin < 1e-16, "{spin:e}");
 }
 
-/// Sixteen times as long, on a motion that is not integrable: the energy error oscillates within equal bounds, which scale with the
-/// step size as the order says. Energy drift of other methods is measured on a motion in closed form: `long.rs`.
+/// For a run sixteen times as long, on a nonintegrable motion, the energy error oscillates within the same bounds,
+/// which depend on the step size according to the order. The energy drift of other methods is measured for a motion in
+/// closed form: `long.rs`.
 #[test]
 fn the_energy_swings_within_bounds_that_have_the_order_of_the_method() {
     for (splitting, order) in [(Splitting::Strang, 2.0), (Splitting::BlanesMoan4, 4.0)] {
@@ -62,7 +64,7 @@ fn the_energy_swings_within_bounds_that_have_the_order_of_the_method() {
     }
 }
 
-/// The matrix of one step, by differences in double-double, between any two coordinates.
+/// The Jacobian matrix of one step, by differences in double-double, between any two coordinates.
 fn matrix(step: impl Fn(&[DoubleDouble]) -> Vec<DoubleDouble>, at: &[DoubleDouble]) -> DMatrix<f64> {
     let tiny = DoubleDouble::from(1e-9);
     let columns: Vec<Vec<f64>> = (0..at.len())
@@ -81,7 +83,7 @@ fn matrix(step: impl Fn(&[DoubleDouble]) -> Vec<DoubleDouble>, at: &[DoubleDoubl
 
 const STEP: f64 = 0.01;
 
-/// The determinant of the matrix of a step, and its value by the divergence of the law.
+/// The determinant of the Jacobian matrix of a step, and its value from the divergence of the law.
 fn volumes(bodies: &Gyrostat<f64>, machine: Motor, state: &[f64], splitting: Splitting) -> (f64, f64) {
     let law = Driven::new(bodies.first_form().0, machine);
     let n = state.len();
@@ -101,7 +103,8 @@ fn volumes(bodies: &Gyrostat<f64>, machine: Motor, state: &[f64], splitting: Spl
     (matrix(step, &twice).determinant(), (STEP * divergence).exp())
 }
 
-/// Friction and resistance contract volumes at a constant rate: every step does so exactly, for any step size and order.
+/// Friction and resistance contract volumes at a constant rate; every step does so exactly, for any step size and
+/// order.
 #[test]
 fn volumes_shrink_exactly_as_the_divergence_of_the_law_says() {
     for (name, model) in [("pull_out", None), ("spin_up", Some("synchronous")), ("free_rotor", None)] {
@@ -117,8 +120,8 @@ fn volumes_shrink_exactly_as_the_divergence_of_the_law_says() {
     }
 }
 
-/// B of the bracket {f, g} = df.B dg in the coordinates (x, v, angle, spin): x' = x x dH/dx + v x dH/dv, v' = v x dH/dx,
-/// angle' = dH/dp, p' = -dH/dangle.
+/// The matrix B of the bracket {f, g} = df.B dg in the coordinates (x, v, angle, spin): x' = x x dH/dx + v x dH/dv, v'
+/// = v x dH/dx, angle' = dH/dp, p' = -dH/dangle.
 fn bracket(z: &[DoubleDouble]) -> DMatrix<f64> {
     let at = point(z);
     let [x, v] = [at.momentum, at.vertical].map(|a| a.map(|a| a.hi()).cross_matrix());
@@ -130,7 +133,7 @@ fn bracket(z: &[DoubleDouble]) -> DMatrix<f64> {
     b
 }
 
-/// M B(z) M^T = B(step(z)): without friction a step is a Poisson map, as the flow itself.
+/// The condition M B(z) M^T = B(step(z)): without friction a step is a Poisson map, like the flow itself.
 #[test]
 fn without_friction_a_step_keeps_the_bracket() {
     let scene = runs::scene("spin_up", Some("synchronous"));

@@ -1,12 +1,12 @@
 //! Long runs compared with a closed form: errors grow as theory predicts.
 //!
-//! The modified equation of a method of even order p is f + h^p f_p + h^(p+1) f_(p+1) + .. . The law is reversible, and f_p is
-//! too, while f_(p+1) is the opposite. Over a nutation, which is symmetric in time, f_p changes the energy by nothing.
-//! At whole numbers of revolutions (and a quarter, everywhere) the errors are therefore
+//! The modified equation of a method of even order p is f + h^p f_p + h^(p+1) f_(p+1) + .. . The law is reversible, and
+//! so is f_p, while f_(p+1) has the opposite symmetry. A nutation is symmetric in time, hence f_p causes no net change
+//! of energy over it. After a whole number of revolutions (plus a quarter, in all samples) the errors are therefore
 //!
 //!   energy = a h^p + b h^(p+1) n ,   phase = c h^p n + d h^(p+1) n^2 ,   v.v as the energy ;
 //!
-//! b and d are zero where a modified energy is conserved. All coefficients are determined from samples at a few n.
+//! Here b and d are zero if a modified energy is conserved. All coefficients are determined from samples at a few n.
 
 use dalembert_derivations::studies::long_runs::{Constant, LongRun, MethodRun, Pace, Sample};
 use integrators::{Method, Span, Splitting, Tolerance, integrate};
@@ -30,7 +30,7 @@ fn at(course: &MethodRun, n: u32) -> &Sample {
     course.samples.iter().find(near).expect("it is sampled")
 }
 
-/// The slope of a line through two of the samples.
+/// The slope of the line through two of the samples.
 fn slope(course: &MethodRun, [from, to]: [u32; 2], of: fn(&Sample) -> f64) -> f64 {
     let (from, to) = (at(course, from), at(course, to));
     (of(to) - of(from)) / (to.revolutions - from.revolutions)
@@ -40,7 +40,7 @@ fn phase(sample: &Sample) -> f64 {
     sample.phase.expect("it is in sight")
 }
 
-/// (c, d) of phase = c t + d t^2 by two of the samples.
+/// The coefficients (c, d) of phase = c t + d t^2 from two of the samples.
 fn parabola(course: &MethodRun, [one, two]: [u32; 2]) -> (f64, f64) {
     let mean = |n| {
         let sample = at(course, n);
@@ -51,7 +51,7 @@ fn parabola(course: &MethodRun, [one, two]: [u32; 2]) -> (f64, f64) {
     (a - d * t, d)
 }
 
-/// The closed form and a method of order 12, which share only the data, agree to rounding.
+/// The closed form and a method of order 12 use only the data in common, and agree up to rounding.
 #[test]
 fn the_closed_form_is_the_motion() {
     let run = LongRun::new().expect("the top nutates");
@@ -80,7 +80,7 @@ fn runge_kutta_loses_energy_and_length_as_h5_n_and_phase_as_h4_n_and_h5_n2() {
     assert!((linear - 4.0).abs() < 0.1, "{linear}");
 }
 
-/// The steps adapt to the motion, many in a nutation: each nutation loses equal energy.
+/// The step size adapts to the motion, with many steps per nutation: each nutation loses the same energy.
 #[test]
 fn a_method_that_follows_a_tolerance_loses_energy_linearly_and_phase_quadratically() {
     let course = course(Pace::Tolerance(Method::DormandPrince8, 1e-8), 500);
@@ -94,7 +94,7 @@ fn a_method_that_follows_a_tolerance_loses_energy_linearly_and_phase_quadratical
 fn a_splitting_bounds_its_energy_and_loses_its_phase_linearly_both_as_its_order_says() {
     for (method, order, each) in SPLITTINGS {
         let [coarse, fine] = [each, 2 * each].map(|each| course(Pace::Steps(method, each), 500));
-        // the bound is nearly reached as soon as every phase of nutation and spin was met
+        // the bound is nearly attained once all phases of nutation and rotation have occurred
         let [early, late] = [50, 200].map(|n| at(&coarse, n).swing);
         assert!(late < 1.02 * early, "{}: {early:e} {late:e}", coarse.method);
         let [early, late] = [[20, 200], [200, 500]].map(|range| slope(&coarse, range, phase));
@@ -106,8 +106,9 @@ fn a_splitting_bounds_its_energy_and_loses_its_phase_linearly_both_as_its_order_
     }
 }
 
-/// The sum of the energy gains of single steps from points of the true motion, and the gain of a run, over the steps that
-/// begin at `from`. They agree up to a relative difference of order h: an independent check of the constants above.
+/// The sum of the energy changes of single steps from points of the exact motion, and the energy change of a run, over
+/// the steps that begin at `from`. They agree up to a relative difference of order h: an independent check of the
+/// constants above.
 fn gains(method: Constant, each: u32, [from, to]: [u32; 2]) -> [f64; 2] {
     let run = LongRun::new().expect("the top nutates");
     let (system, step) = (run.system(), run.period() / f64::from(each));
@@ -135,7 +136,7 @@ fn gains(method: Constant, each: u32, [from, to]: [u32; 2]) -> [f64; 2] {
 #[test]
 fn what_single_steps_gain_on_the_true_motion_adds_up_to_what_runs_gain() {
     let kutta: Constant = |steps| Method::RungeKutta4 { steps };
-    // over a whole nutation, the loss of order h^5 alone; over a quarter, the swing of order h^p
+    // over a whole nutation, only the loss of order h^5; over a quarter, the oscillation of order h^p
     let mut cases = vec![(kutta, 160, [40, 200]), (kutta, 320, [0, 80])];
     cases.extend(SPLITTINGS[..2].iter().map(|(method, _, each)| (*method, 2 * each, [0, each / 2])));
     for (method, each, range) in cases {
@@ -144,9 +145,9 @@ fn what_single_steps_gain_on_the_true_motion_adds_up_to_what_runs_gain() {
     }
 }
 
-/// Compared with double-double, over twelve starts that differ by a rotation about the axis: the root mean square of a
-/// random walk grows as the root of its length, and would grow as its length if rounding were biased. The order 8 makes the
-/// oscillation of the energy negligible.
+/// Comparison with double-double, over twelve initial states that differ by a rotation about the axis. The root mean
+/// square of a random walk grows as the square root of its length; if rounding were biased, it would grow linearly.
+/// Order 8 makes the energy oscillation negligible.
 #[test]
 fn what_rounding_adds_walks_at_random() {
     let method: Constant = |steps| Method::Split { splitting: Splitting::KahanLi8, steps };

@@ -1,4 +1,5 @@
-//! Orders of splittings on nonlinear motions, against references of another family; symmetry: a run backwards undoes a run.
+//! Orders of splittings on nonlinear motions, compared with references by another family of methods; symmetry: a
+//! backward run inverts a forward run.
 
 use super::runs::{self, SCENES, error, split};
 use field::DoubleDouble;
@@ -28,7 +29,7 @@ fn every_composition_has_its_order_with_every_kind_of_motor_in_both_forms() {
             let problem = runs::problem(name, model, axes);
             let exact = exact(&problem);
             for splitting in Splitting::ALL {
-                // twice the steps until the error is small, but far above rounding
+                // double the number of steps until the error is small, but far above rounding
                 let small = match splitting {
                     Splitting::Strang => 1e-5,
                     Splitting::KahanLi8 => 1e-7,
@@ -38,14 +39,14 @@ fn every_composition_has_its_order_with_every_kind_of_motor_in_both_forms() {
                 let run = |steps| {
                     let method = split(splitting, steps);
                     let outcome = integrate(&*problem.law, method, &Tolerance::both(1e-9), &span, &mut ());
-                    // a step may be too long for an iteration
+                    // a step may be too long for an iteration to converge
                     if outcome.reached() { error(&outcome.state, &exact) } else { f64::INFINITY }
                 };
                 let steps = (0..14).map(|k| 10 << k).find(|steps| run(*steps) < small).expect("it converges");
                 let pair = [run(steps), run(2 * steps)];
                 let (order, theory) = ((pair[0] / pair[1]).log2(), f64::from(splitting.order()));
                 let what = format!("{name} {model:?} {axes} {}", splitting.name());
-                // half a unit below to one above distinguishes even orders
+                // the limits -0.5 and +1 distinguish even orders
                 assert!(
                     (-0.5..1.0).contains(&(order - theory)),
                     "{what}: {:.1e} {:.1e}, order {order:.2}",
@@ -57,7 +58,7 @@ fn every_composition_has_its_order_with_every_kind_of_motor_in_both_forms() {
     }
 }
 
-/// A composition is symmetric: its step of -h is the inverse, with friction too.
+/// A composition is symmetric: its step with -h is the inverse of the step with h, also with friction.
 #[test]
 fn a_run_back_undoes_a_run_to_rounding() {
     for (name, model) in SCENES {
@@ -71,7 +72,7 @@ fn a_run_back_undoes_a_run_to_rounding() {
             assert!(far > 1e-3 && left < 1e-11, "{name} {model:?} {}: {far:.1e} {left:.1e}", splitting.name());
         }
     }
-    // an explicit Runge-Kutta method is not symmetric
+    // for comparison: an explicit Runge-Kutta method is not symmetric
     let problem = runs::problem("free_rotor", None, Axes::First);
     let kutta = |span: Span<'_, f64>| runs::run(&problem, Method::RungeKutta4 { steps: 10 }, &span).state;
     let back = kutta(Span::new(0.1, 0.0, &kutta(Span::new(0.0, 0.1, &problem.state))));
@@ -95,7 +96,8 @@ fn in_double_double_only_what_is_known_to_as_many_digits_runs() {
     }
 }
 
-/// The kick solves for a nonlinear torque by iteration: a step that is far too long fails by name.
+/// The flow at constant position solves for a nonlinear torque by iteration; for a step that is far too long it fails
+/// with a named reason.
 #[test]
 fn a_step_too_long_for_the_iteration_fails_by_name() {
     let problem = runs::problem("asynchronous_drive", None, Axes::First);

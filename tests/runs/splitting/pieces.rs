@@ -1,4 +1,4 @@
-//! Consistency of the sub-flows: their vector fields sum to the law, proved; each has the flow property.
+//! Consistency of the sub-flows: it is proved that their vector fields sum to the law; each has the flow property.
 
 use crate::physical::machines::{every_machine, numbers};
 use crate::physical::{fixed, gyrostat, rounded};
@@ -39,7 +39,7 @@ fn both<P: Base, S: Over<P> + Analytic, F: Form<P>, M: Machine<P>>(
             fluxes: at.rotor.fluxes.iter().copied().map(fixed).collect(),
         },
     };
-    // to first order in the time: exponentials are linear, and any rule whose weights sum to one is exact
+    // to first order in time exponentials are linear, and every rule whose weights sum to one is exact
     let line = |a: Tangent<S>, b: Tangent<S>| Tangent::fixed(S::one()) - (a + b).half();
     let quarter = Tangent::fixed(S::ratio(1, 4));
     let zero = Tangent::fixed(S::zero());
@@ -63,7 +63,7 @@ fn both<P: Base, S: Over<P> + Analytic, F: Form<P>, M: Machine<P>>(
     (sum, rates)
 }
 
-/// A point of symbols; a rotor with prescribed speed has the momentum A' W.
+/// A point whose coordinates are symbols; a rotor with prescribed speed has the momentum A' W.
 fn symbolic<M: Machine<Sym>>(machine: &M, axial: Sym) -> Point<Sym> {
     let three = |stem: &str| Vector3::from_fn(|k, _| Sym::symbol(&format!("{stem}{}", k + 1)));
     let kept = machine.rotor() == RotorState::Prescribed;
@@ -122,7 +122,7 @@ fn which_moments_are_linear_in_the_slip_is_decided_exactly() {
     assert_eq!(Law::of(&asynchronous), Law::Linear);
 }
 
-/// The largest difference between states, each relative to one or its size.
+/// The largest difference between states, each component relative to its magnitude or to one.
 fn gap<S: Real>(a: &[S], b: &[S]) -> f64 {
     let size = |x: S| 1.0 + x.magnitude().approx();
     a.iter().zip(b).map(|(a, b)| (*a - *b).magnitude().approx() / size(*b)).fold(0.0, f64::max)
@@ -158,8 +158,8 @@ fn in_form<F: Form<f64>, M: Machine<f64> + Sync>(
     are_flows(&driven, state)
 }
 
-/// Tests inversion and composition of each flow: to 28 digits, and for a flow that is solved by a method of order 8 to the
-/// error of that method over such short steps.
+/// Tests inversion and composition of each flow: to 28 digits, or, for a flow computed by a method of order 8, up to
+/// the error of this method for such short steps.
 fn are_flows(separable: &impl Separable, state: &[f64]) -> Result<(), TestCaseError> {
     let Some(pieces) = separable.pieces::<DoubleDouble>() else { return Err(TestCaseError::fail("no pieces")) };
     let state: Vec<DoubleDouble> = state.iter().map(|y| DoubleDouble::from(*y)).collect();
@@ -175,7 +175,8 @@ fn are_flows(separable: &impl Separable, state: &[f64]) -> Result<(), TestCaseEr
     };
     let t = 2.0_f64.powi(-10);
     for piece in 0..pieces.pieces() {
-        // the data are rounded to f64, mobilities independently of moments of inertia: the change of coordinates is not exactly invertible
+        // the data are rounded to f64, the mobilities independently of the moments of inertia, hence the change of
+        // coordinates is not exactly invertible
         let back = gap(&after(piece, &[t, -t]), &after(piece, &[]));
         prop_assert!(back < 1e-26, "piece {piece} back: {back:e}");
         let parts = gap(&after(piece, &[t, 2.0 * t]), &after(piece, &[3.0 * t]));

@@ -1,4 +1,4 @@
-//! The runs of the tests: scenes with their own motor or another.
+//! The runs of the tests: scenes with their own motor or with another one.
 
 use dalembert_derivations::studies::scene::Scene;
 use integrators::{Method, Outcome, Span, Splitting, Tolerance, integrate};
@@ -6,7 +6,7 @@ use reader::Family;
 use simulation::{Axes, Problem};
 use std::path::Path;
 
-/// Scenes by file and model, from no motor at all to every bar: nonlinear, none of them symmetric.
+/// Scenes by file and model, from no motor to all bars; they are nonlinear and not symmetric.
 pub const SCENES: [(&str, Option<&str>); 6] = [
     ("constant_speed", None),
     ("free_rotor", None),
@@ -37,7 +37,7 @@ pub fn run(problem: &Problem, method: Method, span: &Span<'_, f64>) -> Outcome<f
     outcome
 }
 
-/// The largest error of a state relative to its size, or to one.
+/// The largest error of a component of a state, relative to its magnitude plus one.
 pub fn error(state: &[f64], exact: &[f64]) -> f64 {
     state.iter().zip(exact).map(|(y, e)| (y - e).abs() / (1.0 + e.abs())).fold(0.0, f64::max)
 }

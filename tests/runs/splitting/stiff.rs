@@ -1,12 +1,12 @@
-//! Stiff windings: a negative sub-step in which their currents would grow is refused, and the error of accepted steps is
-//! moderate.
+//! Stiff windings: a negative substep in which their currents would grow is rejected, and the error of accepted steps
+//! is moderate.
 
 use super::runs::{self, split};
 use integrators::{End, Failure, Method, Outcome, Span, Splitting, Tolerance, integrate};
 use simulation::{Axes, Problem};
 
 const TIME: f64 = 0.1;
-/// R2/L2 of the damper's windings, 1/s.
+/// The rate R2/L2 of the damper's windings, 1/s.
 const RATE: f64 = 0.5 / 1e-6;
 
 fn run(problem: &Problem, method: Method) -> Outcome<f64> {
@@ -14,7 +14,8 @@ fn run(problem: &Problem, method: Method) -> Outcome<f64> {
     integrate(&*problem.law, method, &Tolerance::both(1e-10), &span, &mut ())
 }
 
-/// Accepted steps have a smaller error than the splitting of order 2, without negative sub-steps, at equal step size.
+/// Accepted steps have a smaller error than the splitting of order 2, which has no negative substeps, at the same step
+/// size.
 #[test]
 fn a_step_that_would_let_currents_grow_backwards_is_refused_by_name_before_it_is_taken() {
     let problem = runs::problem("stiff_damper", None, Axes::First);
@@ -44,7 +45,7 @@ fn a_step_that_would_let_currents_grow_backwards_is_refused_by_name_before_it_is
     }
 }
 
-/// The longest step of the message is accepted, a longer one is not.
+/// The longest step that the message names is accepted, a longer one is not.
 #[test]
 fn the_longest_step_that_is_named_is_the_longest_that_is_taken() {
     let problem = runs::problem("stiff_damper", None, Axes::Second);

@@ -1,4 +1,4 @@
-//! Stationary motions in closed form, families included.
+//! Steady motions in closed form, including families.
 
 use algebra::real::{Enclosure, Root};
 use field::{Rational, Scalar};
@@ -70,7 +70,7 @@ fn a_heavy_symmetric_top_precesses_on_a_circle_where_it_is_fast_enough() {
     // cos = 8 / (2 w^2) = 1/4
     assert_eq!(circle.direction(80).unwrap()[2].to_f64(), 0.25);
     assert_eq!(circle.radius(80).unwrap().to_f64(), 15f64.sqrt() / 4.0);
-    // at the speed where the circle shrinks to a point, w = 2, nothing is counted twice
+    // at w = 2, where the circle shrinks to a point, no motion is counted twice
     let merged = shapes(&top, r(2, 1));
     assert_eq!(merged.len(), 2, "{merged:?}");
     assert!(merged.iter().any(|(_, kind)| *kind == Kind::Degenerate));
@@ -98,11 +98,12 @@ fn a_rotor_along_a_principal_axis_lets_it_turn_about_this_axis_at_any_speed() {
 
 #[test]
 fn motions_that_merge_are_one_and_the_second_derivative_says_nothing() {
-    // b_1^(2/3) + b_2^(2/3) = gap^(2/3) is where two roots merge: the astroid
+    // two roots merge on the astroid b_1^(2/3) + b_2^(2/3) = gap^(2/3)
     let b = [27, 0, 729].map(Rational::int);
     let tensor = Matrix3::from_diagonal(&Vector3::new(r(0, 1), r(-5000, 1), r(1000, 1)));
     let speed = Root::rational(Rational::int(1)).unwrap();
-    // (27^(2/3) + 729^(2/3))^(3/2) = 90^(3/2) is irrational: just inside and outside of it the number differs by two
+    // (27^(2/3) + 729^(2/3))^(3/2) = 90^(3/2) is irrational; inside and outside the astroid the number of motions
+    // differs by two
     let count = |g: Rational| {
         let tensor = Matrix3::from_diagonal(&Vector3::new(tensor[(0, 0)], tensor[(1, 1)], g));
         Body::new(&tensor, &vector([0; 3]), &speed, &Vector3::from(b)).unwrap().rotations(r(1, 1)).unwrap().isolated()

@@ -1,4 +1,5 @@
-//! All stationary motions: of a thousand random gyrostats against an independent search, in closed form, for every motor.
+//! All steady motions: of a thousand random gyrostats, compared with an independent search; in closed form; and for
+//! every motor.
 
 mod closed;
 mod momentum;

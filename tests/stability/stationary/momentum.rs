@@ -1,4 +1,5 @@
-//! Motions with a given vertical momentum, against those with a given angular velocity; folds against counts.
+//! Motions with a given vertical component of angular momentum, compared with those with a given angular velocity;
+//! folds compared with counts.
 
 use crate::physical::{fixed, gyrostat};
 use algebra::real::{Enclosure, Root};
@@ -11,7 +12,7 @@ use proptest::prelude::*;
 proptest! {
     #![proptest_config(fixed(60))]
 
-    /// The momentum of each motion with a given w must give that motion back.
+    /// Each motion with a given w must be found again from its momentum.
     #[test]
     fn every_motion_is_found_again_by_its_momentum(bodies in gyrostat(), w in 1..60i64, speed in -900..900i64) {
         let (w, speed) = (Rational::new(w, 10), Rational::new(speed, 10));
@@ -30,7 +31,7 @@ proptest! {
             let near = all.motions.iter().map(|motion| {
                 let (u, speed) = motion.direction_and_speed(60).unwrap();
                 let u = Vector3::from(u.each_ref().map(Enclosure::to_f64));
-                // each has the momentum that was asked for
+                // each has the prescribed momentum
                 let momentum = speed.to_f64() * u.dot(&(tensor * u)) + spin.dot(&u);
                 assert!((momentum - p).abs() <= 1e-9 * (p.abs() + spin.norm()), "{momentum} is not {p}");
                 (u - v).norm() + (speed.to_f64() - w.to_f64()).abs()
@@ -40,7 +41,7 @@ proptest! {
         }
     }
 
-    /// The number of motions changes by two at a fold, and only there.
+    /// The number of motions changes by two at a fold, and nowhere else.
     #[test]
     fn the_number_of_motions_changes_at_folds_alone(bodies in gyrostat(), speed in -900..900i64) {
         let energies = Energies::of(&bodies);
@@ -95,7 +96,7 @@ fn a_heavy_top_with_a_momentum_precesses_on_circles() {
         let (c, w) = (centre[2].to_f64(), w.to_f64());
         assert!((2.0 * w * w * c - 8.0).abs() < 1e-9 && (w * (4.0 - 2.0 * c * c) - 15.5).abs() < 1e-9, "{c} {w}");
     }
-    // and the two upright ones: p = 2 w
+    // and the two upright motions: p = 2 w
     let upright = all.motions.iter().filter(|m| m.direction_and_speed(80).unwrap().1.to_f64() == 7.75).count();
     assert_eq!(upright, 2);
 }

@@ -1,4 +1,4 @@
-//! The steady states of every motor, and every motion of the scenes against the equations that run.
+//! The steady states of every motor, and every motion of the scenes compared with the compiled equations.
 
 use dalembert_derivations::studies::scene::{Scene, Start};
 use dalembert_derivations::studies::stationary::motions::Stationary;
@@ -71,11 +71,11 @@ fn kloss_motor_has_one_or_three_speeds() {
         other => panic!("{other:?}"),
     };
     assert_eq!(slopes(&scene("asynchronous_drive")), [-1]);
-    // a load with steady speeds near synchronism and far from it
+    // a load for which there are steady speeds near synchronism and far from it
     assert_eq!(slopes(&with("asynchronous_drive", &[("f = \"4e-4 N m s\"", "f = \"1.9e-3 N m s\"")])), [-1, 1, -1]);
 }
 
-/// Three pairs of poles give six angles, each with the currents of the phasor diagram: the law that runs is steady there.
+/// Three pole pairs give six angles, each with the currents of the phasor diagram; the compiled law is steady there.
 #[test]
 fn a_motor_on_a_supply_rests_with_the_currents_that_its_law_keeps() {
     let scene = scene("machines/permanent_magnet_bench");
@@ -93,12 +93,12 @@ fn a_motor_on_a_supply_rests_with_the_currents_that_its_law_keeps() {
         let problem = Scene { start, ..scene.clone() }.problem(Axes::First);
         let mut rates = vec![f64::NAN; problem.state.len()];
         problem.law.rates(0.0, &problem.state, &mut rates);
-        // 14 V on 1.2 mH is 1e4 A/s, each to rounding
+        // 14 V on 1.2 mH gives 1e4 A/s; each rate is zero up to rounding
         assert!(rates.iter().all(|rate| rate.abs() < 1e-9), "{rates:?} at {angle:?}");
     }
 }
 
-/// w = u k / (k^2 + f R), i = f w / k.
+/// The steady state w = u k / (k^2 + f R), i = f w / k.
 #[test]
 fn a_brushed_motor_has_one_speed_and_one_current() {
     let MotorStates::Slipping { speeds, .. } = motor(&scene("machines/brushed")) else { panic!("it has no angle") };
@@ -115,7 +115,8 @@ fn a_brushed_motor_has_one_speed_and_one_current() {
     assert_eq!(MotorStates::of(&ideal.machine).map(|_| ()), Err(NoMotor::NoRest));
 }
 
-/// The torque of crossed windings depends on the slip alone: at synchronism nothing balances friction, and without friction any angle is steady.
+/// The torque of crossed windings depends on the slip only: at synchronism nothing balances friction, and without
+/// friction every angle is steady.
 #[test]
 fn crossed_windings_are_never_held_in_step() {
     let found = motor(&scene("machines/crossed_windings_bench"));
@@ -145,7 +146,7 @@ fn every_motion_of_every_scene_is_one_of_the_equations_that_run() {
             for answer in stationary.at_speed(w).expect("finite") {
                 assert!(answer.certificate.is_complete(), "{name} {w} {:?}", answer.certificate);
                 for found in &answer.found {
-                    // rounding of accelerations of this size
+                    // rounding errors of accelerations of this magnitude
                     let size = w * w + w.abs() * found.rotor_speed.abs() + 1e3;
                     assert!(found.residual <= 1e-11 * size, "{name}, w = {w}: {:e}", found.residual);
                 }

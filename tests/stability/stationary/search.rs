@@ -1,13 +1,14 @@
-//! An independent search: Newton's method on the equations of motion, in doubles, from many starts on the sphere.
+//! An independent search: Newton's method on the equations of motion, in `f64`, from many initial points on the sphere.
 
 use dalembert_derivations::systems::gyrostat::{Gyrostat, MotionInstant};
 use field::Tangent;
 use nalgebra::{Matrix3, Vector3};
 
-/// Starts on a spiral that covers the sphere evenly.
+/// The number of initial points, on a spiral that covers the sphere uniformly.
 const STARTS: usize = 120;
 
-/// Directions at which the carrier's equations of motion hold with w = w0 v and the rotor's relative speed.
+/// The directions for which the carrier's equations of motion hold with w = w0 v and the given relative speed of the
+/// rotor.
 pub fn search(g: &Gyrostat<f64>, w0: f64, rotor_speed: f64) -> Vec<Vector3<f64>> {
     let mut found: Vec<Vector3<f64>> = Vec::new();
     for k in 0..STARTS {
@@ -24,7 +25,7 @@ pub fn search(g: &Gyrostat<f64>, w0: f64, rotor_speed: f64) -> Vec<Vector3<f64>>
     found
 }
 
-/// The residual of the theorem of angular momentum, and its derivatives by v.
+/// The residual of the theorem of angular momentum, and its derivatives with respect to v.
 fn residual(g: &Gyrostat<f64>, w0: f64, rotor_speed: f64, v: Vector3<f64>) -> (Vector3<f64>, Matrix3<f64>) {
     let mut value = Vector3::zeros();
     let mut slopes = Matrix3::zeros();
@@ -49,7 +50,7 @@ fn residual(g: &Gyrostat<f64>, w0: f64, rotor_speed: f64, v: Vector3<f64>) -> (V
 fn newton(g: &Gyrostat<f64>, w0: f64, rotor_speed: f64, mut v: Vector3<f64>) -> Option<Vector3<f64>> {
     for _ in 0..60 {
         let (f, slopes) = residual(g, w0, rotor_speed, v);
-        // f is orthogonal to v; steps too: (J + f v^T + v v^T size) step = -f on the tangent plane
+        // f is orthogonal to v, and so must be the steps: (J + f v^T + v v^T size) step = -f on the tangent plane
         let a = v.cross(&Vector3::ith(v.iamin(), 1.0)).normalize();
         let b = v.cross(&a);
         let matrix = nalgebra::Matrix2::new(

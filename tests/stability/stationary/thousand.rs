@@ -1,4 +1,4 @@
-//! A thousand gyrostats made of mass points, at random angular velocities and speeds of the rotor.
+//! A thousand gyrostats composed of mass points, with random angular velocities and rotor speeds.
 
 use super::search::search;
 use crate::physical::{gyrostat, rounded};
