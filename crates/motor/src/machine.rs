@@ -19,7 +19,7 @@ pub enum RotorState {
 /// W t. The windings carry the currents i_k. With the flux linkages psi_k(g) due to the stator's field the co-energy of
 /// the circuits is
 ///
-/// K = sum_k (1/2 L_k i_k^2 + i_k psi_k(g)) - U(g) .
+///   K = sum_k (1/2 L_k i_k^2 + i_k psi_k(g)) - U(g) .
 ///
 /// For windings that move with the rotor, charges are generalised coordinates and Lagrange's equations (Maxwell) hold.
 /// A commutator keeps a current at a fixed position while the conductors move through it, and Park's axes rotate while

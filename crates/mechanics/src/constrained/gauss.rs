@@ -4,7 +4,7 @@
 //! x'' as an affine function of its free components; Z is quadratic in these. The root of its gradient is the minimum
 //! because
 //!
-//! Z(x'' + d) - Z(x'') = 1/2 sum m_i d_i^2 for every admissible difference d.
+//!   Z(x'' + d) - Z(x'') = 1/2 sum m_i d_i^2 for every admissible difference d.
 
 use super::redundant::Admissible;
 use crate::definite::{NotDefinite, root};

@@ -3,7 +3,7 @@
 //! The term of order k is of the size tolerance^(k/p): high orders need few digits only. If d is the relative error of
 //! a term computed in `f64`, all digits are needed for those orders with
 //!
-//! d |a_k| h^k > allowed error of a step.
+//!   d |a_k| h^k > allowed error of a step.
 //!
 //! The law determines d: products that cancel may be a thousand times as large as their sum. Therefore d is measured by
 //! comparison with a series with more orders in full precision: at the first step, then regularly, and whenever the
