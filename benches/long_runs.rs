@@ -2,7 +2,6 @@
 //! errors of energy (the present one and the largest so far), v.v, x.v and phase are printed, with the exponents of
 //! their growth. Run it by `cargo bench --bench long_runs [-- REVOLUTIONS]`; the default is a million revolutions,
 //! which takes ten minutes and writes long_runs.json, from which the report draws its figures.
-//! long_runs.json, which the report draws.
 
 use dalembert_derivations::studies::long_runs::{LongRun, MethodRun, PACES, Sample};
 use serde_json::{Value, json};

@@ -4,9 +4,8 @@ use super::build::{Builder, Definition, Part};
 use super::form::{Atom, Form};
 
 impl Builder<'_> {
-    /// Replaces c^2 + s^2 by 1 where both squares have equal coefficients, as in many kinetic energies. A divisor
-    /// without further quantities becomes constant.
-    /// them, and a divisor in which no quantity is left becomes a constant.
+    /// Replaces c^2 + s^2 by 1 if both squares have the same coefficient, as in many kinetic energies. A divisor in
+    /// which no quantity remains then becomes a constant.
     pub fn on_circles(&self, mut form: Form) -> Form {
         for &cos in &self.circles {
             let squares = [cos, cos + 1].map(|point| (point, point));

@@ -47,7 +47,7 @@ pub(super) struct Search<'s, 'a> {
 
 /// The result for a signal over an interval.
 pub(super) enum Seen {
-    /// No event; `armed` tells whether the signal has been positive.
+    /// No event; `armed`: whether the signal has been positive.
     Nothing {
         armed: bool,
     },

@@ -1,4 +1,4 @@
-//! The reasons for which a run can fail.
+//! The reasons why a run can fail.
 
 use std::fmt;
 

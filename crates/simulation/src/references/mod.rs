@@ -21,7 +21,6 @@ impl Problem {
     ///
     /// # Errors
     /// [`Failure`] where a method fails, or the two do not agree.
-    /// Where a method stopped, or the two do not agree.
     pub fn reference(&self, allowed: Duration) -> Result<Reference, Failure> {
         reference(&*self.law, &self.instants().with_deadline(Instant::now() + allowed))
     }

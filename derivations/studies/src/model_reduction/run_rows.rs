@@ -1,6 +1,6 @@
 //! A run with rows of outputs at requested times, and at the method's steps.
 //!
-//! Two runs are compared at the steps of the coarser one, where the finer one is asked for rows. Nothing is
+//! Two runs are compared at the steps of the coarser one; the finer run provides rows at these times. Hence nothing is
 //! interpolated, and transients that the coarser run resolves are compared too.
 
 use super::outputs::Watched;

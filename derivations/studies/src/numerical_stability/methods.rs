@@ -32,7 +32,6 @@ impl OneStep {
     ///
     /// For collocation u' - z u vanishes at the nodes, hence is a multiple of their polynomial N, and u of degree s is
     /// sum_k N^(k) z^(s-k); R is its value at the end divided by that at the start.
-    /// sum_k N^(k) z^(s-k); R is its value at the end over that at the start.
     pub fn run(self, z: Sym) -> Sym {
         match self {
             OneStep::Classical(scheme) => scheme.step([[z]], [Sym::int(1)]).map_or(Sym::UNDEFINED, |[end]| end),

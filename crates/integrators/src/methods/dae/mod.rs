@@ -2,12 +2,9 @@
 //!
 //! | method | order of y | a step |
 //! |---|---|---|
-//! | half-explicit Euler, Runge-Kutta 4 | 1, 3 | the multipliers of a stage are such that the next stage satisfies the
-//! constraint |
-//! | Radau IIA with s stages (s = 1: backward Euler) | 2s - 1 | every stage satisfies the constraint, and the last
-//! stage is the end |
-//! | Gauss with s stages (s = 1: the midpoint rule), projected | 2s | every stage satisfies the constraint, then the
-//! end is projected onto it along B |
+//! | half-explicit Euler, Runge-Kutta 4 | 1, 3 | the multipliers of a stage are such that the next stage satisfies the constraint |
+//! | Radau IIA with s stages (s = 1: backward Euler) | 2s - 1 | every stage satisfies the constraint, and the last stage is the end |
+//! | Gauss with s stages (s = 1: the midpoint rule), projected | 2s | every stage satisfies the constraint, then the end is projected onto it along B |
 //!
 //! Without the projection, Gauss has the order s + 1 for odd s and s for even s, and the ends of steps violate the
 //! constraint: for s = 1, y_1 - y_0 is twice the displacement of the midpoint, and the error in the constraint

@@ -5,7 +5,6 @@
 //! states elimination then costs n^3 for each real eigenvalue and 4 n^3 for each complex pair, instead of (s n)^3. In a
 //! finer scalar type an evaluation costs more than the elimination, which remains in double precision: each stage has
 //! its own Jacobian, and fewer corrections are needed.
-//! precision: there every stage has its own Jacobian, and few corrections are left to make.
 
 use super::stage_modes::{StageMode, stage_modes};
 use crate::newton::{ComplexLu, Condensation, Lu, Shifted};

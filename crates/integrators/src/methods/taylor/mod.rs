@@ -175,8 +175,8 @@ const OFF: f64 = 1e3;
 const NOISE: f64 = 64.0;
 
 /// The largest number of steps in a row that may end on another branch. A motion that crosses to another branch needs a
-/// few; one that needs more has reached the end of its law, such as the bottom of a tank, and each series turns it back
-/// within the tolerance.
+/// few. A motion that needs more has reached the end of the domain of its law, such as the bottom of a tank, where each
+/// series leads back into the domain within the tolerance.
 const MOST_ASTRAY: u32 = 12;
 
 impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {

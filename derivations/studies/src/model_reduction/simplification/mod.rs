@@ -3,8 +3,7 @@
 //! | in the name | left out | exact where |
 //! |---|---|---|
 //! | `without k` | the element whose parameter is k: k = 0 | the element has no effect along the run |
-//! | `rigid k` | the elongation of the spring of stiffness k, or the motion in the damper of coefficient k: zero | k is
-//! infinite |
+//! | `rigid k` | the elongation of the spring of stiffness k, or the motion in the damper of coefficient k: zero | k is infinite |
 //! | `quasi-steady x` | the rate of x: x has the value for which its rate vanishes | x relaxes instantaneously |
 //! | `fixed x` | the equation of x: x keeps its initial value, without a constraint force | its rate vanishes |
 //! | `unfollowed x` | the equation of x | no output and no other rate depends on x |

@@ -23,7 +23,6 @@ pub struct Judged {
     pub roots: Option<HalfPlanes>,
     /// The signature of the energy's second variation on the level of the integrals, transverse to the family; `None`
     /// if the motor supplies energy.
-    /// the energy.
     pub energy: Option<Inertia>,
     /// Whether the energy is conserved; otherwise it decreases unless the motor drives.
     pub conservative: bool,
