@@ -222,8 +222,8 @@ impl RotorState {
         }
     }
 
-    /// The angle g as a point of the unit circle, and g', from the rotor's part of the state; zero for what is no
-    /// state.
+    /// The angle g as a point of the unit circle, and g', from the rotor's part of the state; zero for a variable that
+    /// is not part of the state.
     #[inline(always)]
     pub fn angle_and_slip<S: Analytic>(self, state: &[S]) -> (Circle<S>, S) {
         match (self, state) {

@@ -86,11 +86,11 @@ impl Code {
         let pages = executable(&instructions)?;
         let entry = |begin: usize| {
             let first: *const u8 = &pages[begin];
-            // SAFETY: at `begin` stands the first instruction of one whole function. Cranelift wrote it for this processor, in the
-            // calling convention that `extern "C"` has on this system, with the five parameters of `Entry` and no result. The pages
-            // are executable, no longer writable, and known to the instruction cache. The function refers to nothing outside of them
-            // but `write::circle` and its like, which live as long as the program. `Code` owns the pages, and lends the entries to
-            // nobody.
+            // SAFETY: the first instruction of one complete function is at `begin`. Cranelift generated it for this
+            // processor, in the calling convention of `extern "C"` on this system, with the five parameters of `Entry`
+            // and no result. The pages are executable, no longer writable, and known to the instruction cache. Outside
+            // its own code the function refers only to `write::circle` and similar functions, which live as long as the
+            // program. `Code` owns the pages, and does not give the entries to other objects.
             unsafe { std::mem::transmute::<*const u8, Entry>(first) }
         };
         let entries = begins.into_iter().map(entry).collect();
@@ -113,7 +113,8 @@ impl Code {
         match *self.entries {
             [whole] => {
                 let none = std::ptr::dangling_mut();
-                // SAFETY: as in `run_pieces`; one piece passes nothing on, so that it does not use the last pointer.
+                // SAFETY: as in `run_pieces`; a single piece passes no numbers on, so that it does not use the last
+                // pointer.
                 unsafe { whole(state.as_ptr(), time, values.as_mut_ptr(), self.constants.as_ptr(), none) };
             }
             _ => self.run_pieces(state, time, values),
@@ -128,13 +129,14 @@ impl Code {
                 room.resize(self.room, 0.0);
             }
             for piece in &self.entries {
-                // SAFETY: the code reads `inputs` numbers at the first pointer and the tape's constants at the fourth, and writes
-                // numbers at the third below `outputs`: `run` checked the lengths of `state` and `values`, `constants` holds what
-                // `tape.rounded()` gave when the code was written. At the last it writes and reads below `room`, for which there is
-                // room, and reads nothing that an earlier piece of this run has not written. All are aligned as slices of `f64` are,
-                // and what is written overlaps nothing else, since `values` and `room` are borrowed mutably. The code keeps none of
-                // the pointers, changes no state of its own, and touches its frame of at most `MOST_STACK` bytes page by page: a
-                // stack that is too short ends in its guard page.
+                // SAFETY: the code reads `inputs` numbers at the first pointer and the tape's constants at the fourth,
+                // and writes `outputs` numbers at the third. `run` has checked the lengths of `state` and `values`;
+                // `constants` contains the numbers that `tape.rounded()` returned when the code was generated. At the
+                // last pointer the code writes and reads at indices below `room`, the length of the buffer, and reads
+                // only numbers that an earlier piece of this run has written. All pointers are aligned like slices of
+                // `f64`. The memory that is written overlaps no other, since `values` and `room` are borrowed mutably.
+                // The code does not retain the pointers and has no state of its own. It touches its stack frame of at
+                // most `MOST_STACK` bytes page by page: if the stack is too short, the access hits its guard page.
                 unsafe {
                     piece(state.as_ptr(), time, values.as_mut_ptr(), self.constants.as_ptr(), room.as_mut_ptr());
                 }
@@ -199,12 +201,14 @@ impl fmt::Debug for CFunction {
 
 /// Calls a Rust function on behalf of C.
 extern "C" fn call(called: *const Called, time: f64, state: *const f64, values: *mut f64) {
-    // SAFETY: the code of a `CFunction` alone has this address, and hands over the context that lives as long as its pages.
+    // SAFETY: only the code of a `CFunction` contains this address, and it passes the context that lives as long as its
+    // pages.
     let Called { inputs, outputs, law } = unsafe { &*called };
     let is_shared =
         state < values.cast_const().wrapping_add(*outputs) && values.cast_const() < state.wrapping_add(*inputs);
-    // SAFETY: the caller promises `inputs` readable numbers, aligned as those of C are, and room for `outputs` values. Where both
-    // share memory the state is copied, and the slice of the caller's is gone before the values are borrowed.
+    // SAFETY: the caller guarantees `inputs` readable numbers, aligned as required in C, and space for `outputs`
+    // values. If the two share memory, the state is copied, and the slice of the caller's memory is dropped before the
+    // values are borrowed.
     let copied = is_shared.then(|| unsafe { std::slice::from_raw_parts(state, *inputs) }.to_vec());
     let values = unsafe { std::slice::from_raw_parts_mut(values, *outputs) };
     let state = copied.as_deref().unwrap_or_else(|| unsafe { std::slice::from_raw_parts(state, *inputs) });
@@ -242,7 +246,7 @@ const WAITING: usize = 16;
 
 /// Flushes the instruction caches of all cores for these pages; x86-64 does this by itself.
 fn fetch_anew(pages: &Mmap) -> Option<()> {
-    // SAFETY: the range is that of one mapping, which is there and readable.
+    // SAFETY: the range is that of one mapping, which exists and is readable.
     unsafe { wasmtime_internal_jit_icache_coherence::clear_cache(pages.as_ptr().cast(), pages.len()) }.ok()?;
     wasmtime_internal_jit_icache_coherence::pipeline_flush_mt().ok()
 }
@@ -325,7 +329,7 @@ mod tests {
             values[1] = state[0] - state[1];
         };
         let Some(function) = CFunction::of([2, 2], law) else { return };
-        // SAFETY: at the address stands a function with this signature.
+        // SAFETY: a function with this signature is at the address.
         let entry: extern "C" fn(f64, *const f64, *mut f64) = unsafe { std::mem::transmute(function.address()) };
         let (state, mut values) = ([3.0, 5.0], [0.0; 2]);
         entry(2.0, state.as_ptr(), values.as_mut_ptr());

@@ -1,4 +1,4 @@
-//! A motor whose laws stand in the scene as expressions:
+//! A motor whose laws are expressions in a scene file:
 //!
 //! ```toml
 //! [machine]
