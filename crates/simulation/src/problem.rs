@@ -10,8 +10,8 @@ pub struct Problem {
     pub law: Arc<dyn Law>,
     /// The initial state in the form of the law; for a gyrostat in the axes of the formulation.
     pub state: Vec<f64>,
-    /// The number of components at the end of the state that only integrate other quantities, such as work: a run is
-    /// not judged by them.
+    /// The number of components at the end of the state that only integrate other quantities, such as work; they do not
+    /// count in the assessment of a run.
     pub metered: usize,
     /// The length of the run from time zero, s.
     pub span: f64,

@@ -6,7 +6,7 @@
 //! |---|---|---|
 //! | any | h^p, oscillating, and h^(p+1) n | h^p n, and h^(p+1) n^2: the frequency depends on the energy |
 //! | a splitting, without friction | h^p, bounded (a modified energy is conserved) | h^p n |
-//! | either, where only rounding is left | sqrt(n) | n^(3/2) (Brouwer 1937) |
+//! | either, if only rounding remains | sqrt(n) | n^(3/2) (Brouwer 1937) |
 //!
 //! The error of v.v grows like that of the energy, or as sqrt(n) if each step rotates v. The law is reversible, and so
 //! are the terms of the modified equation with even powers of h (Hairer, Lubich and Wanner, Geometric Numerical
@@ -37,17 +37,17 @@ pub struct LongRun {
 /// The errors of a run after a number of revolutions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// periods of the nutation
+    /// The number of periods of the nutation.
     pub revolutions: f64,
-    /// error of the energy, relative
+    /// The relative error of the energy.
     pub energy: f64,
-    /// largest absolute relative error of the energy after any step so far
+    /// The largest absolute value of the relative energy error after any step so far.
     pub swing: f64,
-    /// error of v.v, which is one
+    /// The error of v.v, whose exact value is one.
     pub length: f64,
-    /// error of x.v, relative
+    /// The relative error of x.v.
     pub momentum: f64,
-    /// phase error, in revolutions; `None` once it was too large to be read off the slope of u
+    /// The phase error, in revolutions; `None` once it was too large to be determined from the slope of u.
     pub phase: Option<f64>,
 }
 
@@ -55,7 +55,7 @@ pub struct Sample {
 #[derive(Clone, Debug, PartialEq)]
 pub struct MethodRun {
     pub method: Method,
-    /// used only by methods with step size control
+    /// The tolerance; used only by methods with step size control.
     pub tolerance: f64,
     pub samples: Vec<Sample>,
     pub work: Work,

@@ -39,7 +39,7 @@ pub struct Benchmark<'a> {
 }
 
 /// Runs every attempt at every tolerance (a method with a constant step once), without timing, so that several problems
-/// can be judged in parallel. The time `allowed` is shared among the runs.
+/// can be evaluated in parallel. The time `allowed` is shared among the runs.
 pub fn judge(attempts: &[Attempt<'_>], course: &Benchmark<'_>, tolerances: &[f64], allowed: Duration) -> Vec<Point> {
     let end = Instant::now() + allowed;
     let tried: Vec<(f64, &Attempt<'_>)> = tolerances

@@ -201,7 +201,7 @@ mod tests {
 
     #[test]
     fn rows_that_vanish_are_pairs_on_the_axis_or_on_both_sides() {
-        // mu^2 + 1 beside a stable root; mu^2 - 1; both; mu^4 + 4 = (mu^2 + 2 mu + 2)(mu^2 - 2 mu + 2)
+        // mu^2 + 1 with a stable root; mu^2 - 1; both; mu^4 + 4 = (mu^2 + 2 mu + 2)(mu^2 - 2 mu + 2)
         assert_eq!(counted(&[vec![1, 0, 1], vec![1, 3]]), [1, 2, 0, 2]);
         assert_eq!(counted(&[vec![1, 0, -1], vec![1, 3]]), [2, 0, 1, 0]);
         assert_eq!(counted(&[vec![1, 0, 0, 0, 4]]), [2, 0, 2, 0]);

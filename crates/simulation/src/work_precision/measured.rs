@@ -63,8 +63,8 @@ impl Default for Trials {
     }
 }
 
-/// The atlas of a scene without timing, so that several scenes can be judged in parallel. The first configuration must
-/// be that of the problem. A stored reference is used if it belongs to the problem.
+/// The atlas of a scene without timing, so that several scenes can be evaluated in parallel. The first configuration
+/// must be that of the problem. A stored reference is used if it belongs to the problem.
 ///
 /// # Errors
 /// [`Failure`] where there is no reference.

@@ -16,9 +16,9 @@ pub struct Letters {
     pub l: Vector3<Sym>,
     pub e: Vector3<Sym>,
     pub h: Vector3<Sym>,
-    /// principal moments of A
+    /// The principal moments of A.
     pub a: Vector3<Sym>,
-    /// principal moments of A*
+    /// The principal moments of A*.
     pub a_star: Vector3<Sym>,
     pub m_rotor: Sym,
     pub axial: Sym,

@@ -1,4 +1,4 @@
-//! Section 7.1: statement 3 without weight (Gamma = 0), judged by the relations (6.5).
+//! Section 7.1: statement 3 without weight (Gamma = 0), tested by the relations (6.5).
 
 use super::alphabet::{cyclic, letter, one};
 use super::gyrostats;

@@ -1,4 +1,4 @@
-//! Section 7.2: statements 4 to 7 with weight (Gamma > 0), judged by the original relations (6.5), not only by the
+//! Section 7.2: statements 4 to 7 with weight (Gamma > 0), tested by the original relations (6.5), and not only by the
 //! relations (7.4) and (7.7), which follow from them.
 
 use super::alphabet::{cyclic, letter, number, one};

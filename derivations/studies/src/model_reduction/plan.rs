@@ -6,7 +6,6 @@
 //! tolerance that usually suffices. The error of the coarser pilot is its distance from the finer one. Errors are
 //! assumed to be proportional to a power of the tolerance below one, which gives the tolerance for the run; often that
 //! of a pilot suffices. All of these are estimates.
-//! one, which gives the tolerance for the run; often a pilot already has it. These are estimates.
 
 use super::outputs::Watched;
 use super::run_rows::{Along, Run, Serves};

@@ -1,7 +1,7 @@
 //! Proved stability of a splitting for all step sizes of an interval, by bisection.
 //!
-//! An interval of step sizes is judged as a whole, and bisected where this is undecided. A narrow undecided interval
-//! contains a threshold, or is adjacent to one.
+//! An interval of step sizes is examined as a whole, and bisected where the result is undecided. A narrow undecided
+//! interval contains a threshold, or is adjacent to one.
 
 /// An interval of step sizes, s, and whether the one-step map is unstable for all of them: `None` if undecided.
 pub type StepRange = (f64, f64, Option<bool>);
@@ -15,7 +15,7 @@ pub struct Proved {
     pub lost: Vec<(f64, f64)>,
     /// Single step sizes, s, within undecided intervals, and whether the map is unstable there.
     pub alone: Vec<(f64, bool)>,
-    /// The number of intervals that were judged.
+    /// The number of intervals that were examined.
     pub looked: usize,
 }
 
@@ -36,7 +36,7 @@ pub(super) struct Limits {
     pub sign: f64,
     /// The smallest relative width of intervals without an enclosed fixed point.
     pub motion: f64,
-    /// The largest number of intervals that are judged; the rest stays undecided.
+    /// The largest number of intervals that are examined; the rest stays undecided.
     pub most: usize,
 }
 

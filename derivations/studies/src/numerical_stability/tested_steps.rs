@@ -1,4 +1,4 @@
-//! Stability of a splitting near a motion: tests at single step sizes, beside proofs for all of them.
+//! Stability of a splitting near a motion: tests at single step sizes, in addition to proofs for all step sizes.
 
 use super::continuation::before;
 use super::reasons::Unproved;

@@ -1,7 +1,7 @@
 //! Maps over angle and friction that show where the motion with friction is unique.
 //!
 //! # Overview
-//! * [`maps`]: the verdicts, beside the critical curves of [`critical`].
+//! * [`maps`]: the verdicts, together with the critical curves of [`critical`].
 //!
 //! The theorems behind the maps are claims in `derivations/theorems/src/regimes/`.
 

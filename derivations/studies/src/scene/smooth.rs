@@ -1,4 +1,4 @@
-//! A scene with a motor as an initial value problem.
+//! The interface of a scene with a motor to all commands ([`IvpScene`]), and its runs.
 
 use super::Scene;
 use integrators::{Method, Reference};

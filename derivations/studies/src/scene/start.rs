@@ -11,15 +11,15 @@ const ROUNDING: f64 = 1e-12;
 /// The initial state, in the axes of the data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Start {
-    /// angular velocity w of the carrier, rad/s
+    /// The angular velocity w of the carrier, rad/s.
     pub angular_velocity: Vector3<f64>,
-    /// v, the unit vector downwards
+    /// The unit vector v of the vertical, downwards.
     pub vertical: Vector3<f64>,
-    /// angle g of the rotor against the stator's field, rad
+    /// The angle g of the rotor relative to the stator's field, rad.
     pub rotor_angle: f64,
-    /// speed phi' of the rotor relative to the carrier, rad/s
+    /// The speed phi' of the rotor relative to the carrier, rad/s.
     pub rotor_speed: f64,
-    /// currents of the windings, A; empty where all are zero
+    /// The currents of the windings, A; empty if all are zero.
     pub currents: Vec<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! Constraint stabilisation with discretisation: stability regions of the gains, errors and cost.
+//! Constraint stabilisation with discrete time steps: stability regions of the gains, errors and cost.
 //!
 //! # Overview
 //! * [`schemes`]: one step of a method for the equation of a violation, over any scalar type;

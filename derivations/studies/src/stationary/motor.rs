@@ -39,8 +39,8 @@ pub struct Slip {
     pub currents: Vec<f64>,
 }
 
-/// The pull-out torques, N m, including friction at the field's speed: with a further constant torque M the rotor has a
-/// steady angle if least <= -M <= greatest; at either end two angles merge, beyond it none exists.
+/// The pull-out torques, N m, including friction at the field's speed. With an additional constant torque M the rotor
+/// has a steady angle if least <= -M <= greatest; at either end two angles merge, beyond it no steady angle exists.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bears {
     pub least: f64,

@@ -120,7 +120,7 @@ impl<'a, S: Real> Collocated<'a, S> {
             }
             self.solve(step);
             self.unknowns.iter_mut().zip(&self.correction).for_each(|(u, d)| *u += S::lift(*d));
-            // the multipliers are accurate only to the rounding of y over h: convergence is judged by y alone
+            // the multipliers are accurate only to the rounding of y over h, so that only y is tested for convergence
             let moved = self.correction.chunks(one).flat_map(|stage| &stage[..n]);
             let size = moved.fold(0.0_f64, |size, d| if d.is_nan() { *d } else { size.max(d.abs()) });
             // relative to the state at the end of a step that begins at the origin

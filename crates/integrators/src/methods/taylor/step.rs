@@ -7,9 +7,9 @@
 ///
 ///   p^2 (1 + 2 c p) = L (b + p + c p^2) .
 ///
-/// In `f64` a step costs as much as five orders beside its orders, and eight terms of a product cost as much as one
-/// order: b = 5, c = 0.015. The approximation p = 4 + 0.8 L is close to the optimum for L from 7 to 33. The order is at
-/// least 16: where stability and not the tolerance limits the step, the step size grows with the order. For eight
+/// In `f64` a step costs as much as five orders in addition to its own, and eight terms of a product cost as much as
+/// one order: b = 5, c = 0.015. The approximation p = 4 + 0.8 L is close to the optimum for L from 7 to 33. The order
+/// is at least 16: where stability and not the tolerance limits the step, the step size grows with the order. For eight
 /// scenes of motors with an error of 1e-3, order 16 takes 0.8 to 1.05 of the time of order 10. In double-double at
 /// least half of the orders are computed in `f64`, and the formula is close to the optimum for L up to 70.
 pub fn taylor_order(tolerance: f64) -> usize {

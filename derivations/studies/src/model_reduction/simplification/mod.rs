@@ -1,6 +1,6 @@
 //! Reduced models of a text model, each named by the neglected elements.
 //!
-//! | in the name | left out | exact where |
+//! | in the name | neglected | exact if |
 //! |---|---|---|
 //! | `without k` | the element whose parameter is k: k = 0 | the element has no effect along the run |
 //! | `rigid k` | the elongation of the spring of stiffness k, or the motion in the damper of coefficient k: zero | k is infinite |

@@ -30,9 +30,9 @@ pub struct Certificate {
 /// A connected family of motions, with the stability of its members.
 #[derive(Clone, Debug)]
 pub struct Members {
-    /// radius and axis of a circle of directions
+    /// The radius and the axis of a circle of directions.
     pub circle: Option<(f64, Vector3<f64>)>,
-    /// verdicts along the family, for each angle of a synchronous motor, else once
+    /// The verdicts along the family: one for each angle of a synchronous motor, otherwise one.
     pub along: Vec<Along>,
 }
 
@@ -41,22 +41,22 @@ pub struct Members {
 pub struct Found {
     pub shape: Shape,
     pub kind: Kind,
-    /// the ends of lambda's interval, N m, where it was isolated for a given angular velocity
+    /// The ends of the interval, N m, in which lambda was isolated for a given angular velocity.
     pub multiplier: Option<[f64; 2]>,
-    /// v in the axes of the data, enclosed; of a circle its centre
+    /// The enclosure of v in the axes of the data; for a circle that of its centre.
     pub enclosed: [Enclosure; 3],
-    /// v of the motion, or of a member of the family
+    /// The direction v of the motion, or of a member of the family.
     pub direction: Vector3<f64>,
-    /// w, rad/s
+    /// The angular velocity w, rad/s.
     pub speed: f64,
-    /// phi', rad/s
+    /// The rotor's relative speed phi', rad/s.
     pub rotor_speed: f64,
-    /// the angular momentum about the vertical, N m s
+    /// The angular momentum about the vertical, N m s.
     pub momentum: f64,
-    /// the stability for each angle of a synchronous motor, else once; that of a family is in `family`
+    /// The stability, once for each angle of a synchronous motor, otherwise once; that of a family is in `family`.
     pub stability: Vec<Judged>,
     pub family: Option<Members>,
-    /// the largest rate by the equations that run, at this state and every angle of the rotor, rad/s^2, A/s
+    /// The largest rate by the compiled equations at this state, over all angles of the rotor, rad/s^2, A/s.
     pub residual: f64,
 }
 

@@ -241,13 +241,13 @@ impl<'a> Stationary<'a> {
     }
 }
 
-/// A motion found for a given angular velocity or momentum, not yet judged.
+/// A motion found for a given angular velocity or momentum, before its stability is decided.
 struct Raw<'a> {
     shape: Shape,
     kind: Kind,
     given: Given,
     multiplier: Option<[f64; 2]>,
-    /// (v, w0) within 2^-bits; for a circle v is its centre, for a sphere zero
+    /// The pair (v, w0) within 2^-bits; for a circle v is its centre, for a sphere zero.
     enclosed: &'a dyn Fn(usize) -> Option<([Enclosure; 3], Enclosure)>,
     axis: &'a dyn Fn(usize) -> Option<[Enclosure; 3]>,
 }

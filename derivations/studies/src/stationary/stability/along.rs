@@ -24,9 +24,9 @@ pub struct Along {
 /// All members between two edges; all but one member if there is one edge, all if there is none.
 #[derive(Clone, Debug)]
 pub struct Arc {
-    /// v at both ends, where there are any
+    /// The direction v at both ends, if the arc has ends.
     pub ends: Option<[Vector3<f64>; 2]>,
-    /// v of one member, within 2^-512
+    /// The direction v of one member, within 2^-512.
     pub member: [Enclosure; 3],
     pub judged: Judged,
 }
@@ -72,8 +72,8 @@ impl Judge<'_> {
         Along { arcs, edges: Vec::new() }
     }
 
-    /// The verdicts by cutting the curve at the zeros of critical functions, judged between and at the cuts with exact
-    /// numbers.
+    /// The verdicts along the curve, which is cut at the zeros of critical functions; they are decided between and at
+    /// the cuts with exact numbers.
     fn exactly_along(&self, known: &Known<'_>, angle: Option<&Angle>) -> Option<Along> {
         let (centre, speed) = (known.enclosed)(BITS[0])?;
         let speed = speed.simplest();

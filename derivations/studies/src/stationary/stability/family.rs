@@ -12,11 +12,11 @@ use nalgebra::Vector3;
 #[derive(Clone, Debug)]
 pub struct Family {
     centre: Vector3<Rational>,
-    /// e1 and e2, orthogonal to each other and to the axis
+    /// The vectors e1 and e2, orthogonal to each other and to the axis.
     across: [Vector3<Rational>; 2],
-    /// the axis of the circle, or the normal of the meridian's plane
+    /// The axis of the circle, or the normal of the meridian's plane.
     pub axis: Vector3<Rational>,
-    /// 1 - |c|^2
+    /// The value 1 - |c|^2.
     room: Rational,
     /// Whether the curve represents a sphere: e1 is then the rotor's axis.
     pub sphere: bool,

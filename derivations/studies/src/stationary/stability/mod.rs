@@ -13,7 +13,7 @@
 //! * [`reduced`]: the two classical gyrostats in three unknowns, for theorems, maps and figures;
 //! * [`cone`]: stability at every point of the cone of axes, exactly;
 //! * [`map`]: stability maps of the rotation about an axis with rotor and weight, over two speeds; [`plane`]: over any
-//!   two data ([`datum`]); [`region`]: of every motion of any gyrostat, judged at nodes and continued between them.
+//!   two data ([`datum`]); [`region`]: of every motion of any gyrostat, decided at nodes and continued between them.
 //!
 //! The theorems, in symbols, are claims in `derivations/theorems/src/stability/`.
 
