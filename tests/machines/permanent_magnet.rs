@@ -31,8 +31,8 @@ struct Instant {
     rates: [Sym; 2],
     /// The torque by the machine, without friction.
     torque: Sym,
-    /// The voltage in the axes at rest: a rotating vector of constant length, perpendicular to the magnets' field at g
-    /// = 0.
+    /// The voltage in the axes at rest: a rotating vector of constant length, perpendicular to the magnets' field at
+    /// g = 0.
     voltage: [Sym; 2],
 }
 

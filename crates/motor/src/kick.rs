@@ -6,9 +6,9 @@
 //!
 //!   s' = K (-U'(g) + sum_k psi_k'(g) i_k(t) + m(s)) + pull ,
 //!
-//! K is the slip per unit of angular impulse, and `pull` the rate of the slip due to other causes. If m is linear, m(s)
-//! = m(0) - b s, the solution consists of exponentials; otherwise Gauss collocation of order 8 is used. When the angle
-//! moves, the c_k are constant.
+//! K is the slip per unit of angular impulse, and `pull` the rate of the slip due to other causes. If m is linear,
+//! m(s) = m(0) - b s, the solution consists of exponentials; otherwise Gauss collocation of order 8 is used. When the
+//! angle moves, the c_k are constant.
 //!
 //! With a supply or with sliding conductors, c_k phi' couples the currents to the slip also at a constant angle, and
 //! the flow has no such form. Such machines are rejected ([`has_known_flow`]).

@@ -4,10 +4,10 @@
 //! expressions. The series can then be computed in `f64`, double-double, dual numbers and batches, for any values of
 //! the parameters.
 //!
-//! The series of a linear combination is the combination of the series. The series of a product is Cauchy's product, (a
-//! b)_k = sum_j a_j b_(k-j). All other operations are reduced to these two. Cosine c and sine s of an angle a become
-//! states with c' = -a' s, s' = a' c. A quotient q = a/b solves (q b)_k = a_k, and a square root r of a solves (r r)_k
-//! = a_k, each for the last term of the product.
+//! The series of a linear combination is the combination of the series. The series of a product is Cauchy's product,
+//! (a b)_k = sum_j a_j b_(k-j). All other operations are reduced to these two. Cosine c and sine s of an angle a become
+//! states with c' = -a' s, s' = a' c. A quotient q = a/b solves (q b)_k = a_k, and a square root r of a solves
+//! (r r)_k = a_k, each for the last term of the product.
 //!
 //! The unknowns of linear equations are computed order by order with one LU factorisation of the matrix: see
 //! [`algebra::linear`].

@@ -3,8 +3,8 @@
 //!
 //! Charges and currents are treated like displacements and velocities: an inductance corresponds to a mass, a capacitor
 //! to a spring, a resistance to viscous friction. The branches are: 1 primary winding, 2 secondary winding, 3 smoothing
-//! capacitor, 4 choke behind the diode bridge, 5 armature; 6 crank, 7 slider. Kirchhoff's law at the capacitor, f3 = f4
-//! - f5, is integrable: q3 = q4 - q5. Therefore the Lagrangian L needs no massless coordinate.
+//! capacitor, 4 choke behind the diode bridge, 5 armature; 6 crank, 7 slider. Kirchhoff's law at the capacitor,
+//! f3 = f4 - f5, is integrable: q3 = q4 - q5. Therefore the Lagrangian L needs no massless coordinate.
 //!
 //! * By symmetry two of the four diodes of the bridge carry the current (f4 + f2)/2 and two carry (f4 - f2)/2; their
 //!   dissipation potentials (contents) are contained in D.

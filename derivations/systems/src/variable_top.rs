@@ -41,8 +41,8 @@ pub struct Attitude<S: Scalar> {
     pub vertical: Vector3<S>,
 }
 
-/// The integrals whose rates are prescribed: 2(T - U) up to a constant of the field, G.gamma, C (r - r_0), gamma.gamma
-/// - 1.
+/// The integrals whose rates are prescribed: 2(T - U) up to a constant of the field, G.gamma, C (r - r_0),
+/// gamma.gamma - 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Integrals<S> {
     pub energy: S,

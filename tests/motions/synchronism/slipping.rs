@@ -85,10 +85,10 @@ fn multipliers_are_what_friction_leaves_of_a_turn() {
 }
 
 /// A bound on the error of the multiplier. The multiplier is [f, u]/s at the end of a turn, where u is the deviation
-/// that was a unit slip at the start, and f = (s, s'). With the tolerance e, a step has the error e |u| in u, and e (1
-/// + |y|) in the state y; the latter changes f by |Df| times as much. Every such error enters through a bracket with f
-/// or with u, which only decreases until the end. Hence the error of N steps is below N e |u| (|f| + |Df| (1 + |y|))/s.
-/// All factors are largest at the start of the turn, at the minimum of the field's energy.
+/// that was a unit slip at the start, and f = (s, s'). With the tolerance e, a step has the error e |u| in u, and e
+/// (1 + |y|) in the state y; the latter changes f by |Df| times as much. Every such error enters through a bracket with
+/// f or with u, which only decreases until the end. Hence the error of N steps is below N e |u| (|f| + |Df|
+/// (1 + |y|))/s. All factors are largest at the start of the turn, at the minimum of the field's energy.
 fn error_of_the_multiplier(motor: &Loaded, one: &Slipping) -> f64 {
     let start = [&one.state[..], &[one.load]].concat();
     let found = transition(&*motor.law, &Tolerance::both(TOLERANCE), (0.0, one.period), &start).expect("a turn");

@@ -120,8 +120,8 @@ fn volumes_shrink_exactly_as_the_divergence_of_the_law_says() {
     }
 }
 
-/// The matrix B of the bracket {f, g} = df.B dg in the coordinates (x, v, angle, spin): x' = x x dH/dx + v x dH/dv, v'
-/// = v x dH/dx, angle' = dH/dp, p' = -dH/dangle.
+/// The matrix B of the bracket {f, g} = df.B dg in the coordinates (x, v, angle, spin): x' = x x dH/dx + v x dH/dv,
+/// v' = v x dH/dx, angle' = dH/dp, p' = -dH/dangle.
 fn bracket(z: &[DoubleDouble]) -> DMatrix<f64> {
     let at = point(z);
     let [x, v] = [at.momentum, at.vertical].map(|a| a.map(|a| a.hi()).cross_matrix());

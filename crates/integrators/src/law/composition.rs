@@ -1,7 +1,7 @@
 //! Compositions of a splitting with its adjoint: coefficients, and the sequence of sub-flows.
 //!
-//! Let f = f_1 + .. + f_m with known flows phi_k. With chi_h = phi_m(h) .. phi_1(h), of order 1, and its adjoint chi*_h
-//! = phi_1(h) .. phi_m(h), a step is
+//! Let f = f_1 + .. + f_m with known flows phi_k. With chi_h = phi_m(h) .. phi_1(h), of order 1, and its adjoint
+//! chi*_h = phi_1(h) .. phi_m(h), a step is
 //!
 //!   chi*(a_2s h) chi(a_2s-1 h) .. chi*(a_2 h) chi(a_1 h)   with   a_i = a_(2s+1-i), sum a_i = 1 :
 //!

@@ -28,8 +28,8 @@ pub fn multipliers<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, cons
     leading_to(system, at, force, [S::zero(); C])
 }
 
-/// Accelerations and multipliers for prescribed [`rates`](mod@super::rates) Y of the constraints: J M^-1 J^T lambda = Y
-/// - (rates at x'' = M^-1 X).
+/// Accelerations and multipliers for prescribed [`rates`](mod@super::rates) Y of the constraints: J M^-1 J^T
+/// lambda = Y - (rates at x'' = M^-1 X).
 ///
 /// # Errors
 /// [`NotDefinite`] with the index of the first constraint that depends on those before it.

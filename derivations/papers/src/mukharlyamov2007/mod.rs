@@ -7,8 +7,8 @@
 //! momentum and its force function (`systems/variable_top.rs`, `top.rs`). The right-hand sides h, the torques, V and
 //! its derivative are obtained from these by differentiation, with A(t), C(t), M(t), z_c(t) as dual numbers.
 //!
-//! Damaged in the available text and restored here: the index of lambda in (7); 4A for 4a in the first inequality; f_3
-//! = r - r_0 in V.
+//! Damaged in the available text and restored here: the index of lambda in (7); 4A for 4a in the first inequality;
+//! f_3 = r - r_0 in V.
 //!
 //! # Key results
 //! Multipliers for which violations satisfy any prescribed law exist and are given exactly by (10). The law (13) of the

@@ -4,9 +4,9 @@
 //! its start for Radau IIA, whose end is a node. Over the step the defect is proportional to the nodal polynomial M. By
 //! the formula of Alekseev and Groebner the error at the end is h int M(t) exp(z (1 - t)) dt d with z = h J and M
 //! scaled to 1 at that point. M is orthogonal to all polynomials below degree m (s for Gauss, s - 1 for Radau IIA). For
-//! small z the integral is a z^m with a = c / prod_{k <= m} 2 (2 k - 1), c = 1 / (2 s + 1) for Gauss, c = 1 / (2 (2 s -
-//! 1)) for Radau. For large z it is 1 / z for Gauss, and s / z^2 for Radau, whose M is zero at the end. With w = z / (1
-//! - g z) and the pole 1 / g of the present factorisation, the function
+//! small z the integral is a z^m with a = c / prod_{k <= m} 2 (2 k - 1), where c = 1 / (2 s + 1) for Gauss and
+//! c = 1 / (2 (2 s - 1)) for Radau. For large z it is 1 / z for Gauss, and s / z^2 for Radau, whose M is zero at the
+//! end. With w = z / (1 - g z) and the pole 1 / g of the present factorisation, the function
 //!
 //! w^m (a - b w) / (1 - g z)^p,  p = 1 or 2,
 //!
