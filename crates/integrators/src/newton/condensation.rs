@@ -4,7 +4,7 @@
 //! the equations (mu I - J) x = r can be solved at once: x_i = (r_i + c_i x_j) / mu, where the rate of state i is c_i
 //! times state j. The other equations are
 //!
-//! (mu I - J_kk - J_ke C / mu) x_k = r_k + J_ke r_e / mu,
+//!   (mu I - J_kk - J_ke C / mu) x_k = r_k + J_ke r_e / mu,
 //!
 //! with the states k that are kept and those e that are eliminated (Hairer and Wanner, Solving ODE II, IV.8). If half
 //! of the states are eliminated, the remaining elimination costs an eighth. The set e is reused for every J with such

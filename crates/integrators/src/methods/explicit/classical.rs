@@ -28,9 +28,9 @@ impl<S: Real> Stepper<S> for Euler<S> {
     }
 }
 
-/// The classical Runge-Kutta method of order 4 (Kutta 1901):
-/// k1 = f(t, y), k2 = f(t + h/2, y + h/2 k1), k3 = f(t + h/2, y + h/2 k2), k4 = f(t + h, y + h k3),
-/// y + h/6 (k1 + 2 k2 + 2 k3 + k4).
+/// The classical Runge-Kutta method of order 4 (Kutta 1901). A step ends in y + h/6 (k1 + 2 k2 + 2 k3 + k4) with
+///
+///   k1 = f(t, y) ,   k2 = f(t + h/2, y + h/2 k1) ,   k3 = f(t + h/2, y + h/2 k2) ,   k4 = f(t + h, y + h k3) .
 pub(crate) struct RungeKutta4<S> {
     pub step: S,
     slopes: [Vec<S>; 4],

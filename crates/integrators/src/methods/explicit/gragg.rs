@@ -1,11 +1,16 @@
 //! Gragg-Bulirsch-Stoer: extrapolation of the modified midpoint rule with variable order and step size, over any scalar
 //! type.
 //!
-//! Gragg's rule with n substeps of length h = H/n and his smoothing,
-//! z_1 = y + h f(y), z_{m+1} = z_{m-1} + 2 h f(z_m), T = (z_{n-1} + z_n + h f(z_n)) / 2,
-//! has an error in even powers of h (Gragg 1965), so that Aitken and Neville's table over n_j = 2, 4, 6, ...
-//! T_{j,k+1} = T_{j,k} + (T_{j,k} - T_{j-1,k}) / ((n_j / n_{j-k})^2 - 1)
-//! gains two orders a column (Bulirsch and Stoer 1966).
+//! Gragg's rule with n substeps of length h = H/n, followed by his smoothing, is
+//!
+//!   z_1 = y + h f(y) ,   z_{m+1} = z_{m-1} + 2 h f(z_m) ,   T = (z_{n-1} + z_n + h f(z_n)) / 2 .
+//!
+//! Its error has an expansion in even powers of h (Gragg 1965). Therefore the table of Aitken and Neville over
+//! n_j = 2, 4, 6, ...,
+//!
+//!   T_{j,k+1} = T_{j,k} + (T_{j,k} - T_{j-1,k}) / ((n_j / n_{j-k})^2 - 1) ,
+//!
+//! gains two orders per column (Bulirsch and Stoer 1966).
 
 use crate::methods::explicit::classical::advance;
 use crate::methods::extrapolation_control::Columns;

@@ -3,7 +3,9 @@
 //!
 //! The method has no Newton iteration. With J = df/dy and f_t = df/dt at the step's start, h = H/n and z = y - y_0 the
 //! rule is
-//! (I - h J) D_0 = h f(y_0) + h^2 f_t,  D_k = D_{k-1} + 2 (I - h J)^-1 (h f(y_k) - D_{k-1}),  z_{k+1} = z_k + D_k,
+//!
+//!   (I - h J) D_0 = h f(y_0) + h^2 f_t,  D_k = D_{k-1} + 2 (I - h J)^-1 (h f(y_k) - D_{k-1}),  z_{k+1} = z_k + D_k,
+//!
 //! and the result of a row is the mean T = (z_{n-3} + 3 z_{n-1} + 3 z_{n+1} + z_{n+3})/8. Its error has an expansion in
 //! even powers of h (Bader and Deuflhard, Numer. Math. 41, 1983). It is extrapolated over
 //! n_j = 6, 10, 14, 22, 34, 50, 70, 98. The mean adds an error 3/2 h^2 y'' of one substep: k rows have the order

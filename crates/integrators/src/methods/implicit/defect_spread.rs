@@ -8,7 +8,7 @@
 //! c = 1 / (2 (2 s - 1)) for Radau. For large z it is 1 / z for Gauss, and s / z^2 for Radau, whose M is zero at the
 //! end. With w = z / (1 - g z) and the pole 1 / g of the present factorisation, the function
 //!
-//! w^m (a - b w) / (1 - g z)^p,  p = 1 or 2,
+//!   w^m (a - b w) / (1 - g z)^p,  p = 1 or 2,
 //!
 //! has both limits. Fast decaying modes then do not hide the order of the slow ones.
 

@@ -2,9 +2,12 @@
 //!
 //! The method has no Newton iteration. With J = df/dy, g = 1/4 and one factorisation of 1/(h g) I - J the stages U_i
 //! solve
-//! (1/(h g) I - J) U_i = f(t + a_i h, y + sum_j A_ij U_j) + sum_j C_ij U_j / h + h d_i df/dt,
-//! where the last two have y_5 = y + sum A_5j U_j and y_6 = y_5 + U_5. The result is y_6 + U_6, and U_6 the error
-//! estimate.
+//!
+//!   (1/(h g) I - J) U_i = f(t + a_i h, y + sum_j A_ij U_j) + sum_j C_ij U_j / h + h d_i df/dt,
+//!
+//! where the arguments of the last two stages are y_5 = y + sum A_5j U_j and y_6 = y_5 + U_5. The result is y_6 + U_6,
+//! and U_6 is the error estimate.
+//!
 //! Method and coefficients: Hairer and Wanner, Solving Ordinary Differential Equations II (1996), IV.7, code RODAS. The
 //! coefficients are known to 16 digits, therefore the method runs in `f64` only.
 
