@@ -208,7 +208,7 @@ impl<P: Base> ElasticGovernor<P> {
     /// psi).
     ///
     /// # Errors
-    /// [`NotDefinite`] under the condition of [`rates_of_state`](Self::rates_of_state).
+    /// [`NotDefinite`] if the masses of sleeve and balls are both zero.
     pub fn linearised<S: Over<P> + Analytic>(&self, speed: S) -> Result<[[S; 5]; 5], NotDefinite>
     where
         Tangent<S>: Over<P>,

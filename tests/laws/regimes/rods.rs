@@ -28,8 +28,7 @@ fn the_slender_rod_is_unique_up_to_its_critical_friction() {
     for spin in [slow, fast] {
         assert!(matches!(slender_rod(q(129, 90), angle, spin), Consistency::Unique(_)));
     }
-    // above: no motion if it falls slowly, two if its rotation lifts it; in between, at g = l sin theta' ^2, only that
-    // the contact persists
+    // above the critical friction: no motion if the rod falls slowly, two motions if its rotation lifts it
     assert_eq!(slender_rod(q(131, 90), angle, slow), Consistency::None);
     assert!(matches!(slender_rod(q(131, 90), angle, fast), Consistency::Several(..)));
     assert_eq!(slender_rod(q(13, 9), angle, slow), Consistency::None);

@@ -170,7 +170,7 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
     /// The sum.
     ///
     /// # Errors
-    /// [`Limit::Overflow`] or [`Limit::Terms`].
+    /// [`Limit::Overflow`] where a coefficient overflows, [`Limit::Terms`] where there are too many terms.
     pub fn plus(&self, other: &Self) -> Result<Self, Limit> {
         let (mut a, mut b) = (self.terms.as_slice(), other.terms.as_slice());
         let mut sum = Vec::with_capacity(a.len() + b.len());
@@ -204,7 +204,7 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
     /// The sum of many polynomials, those marked true with a negative sign.
     ///
     /// # Errors
-    /// Any [`Limit`].
+    /// [`Limit`] where a coefficient overflows, or there are too many terms or operations.
     pub fn signed_sum(summands: &[(&Self, bool)], budget: &Budget) -> Result<Self, Limit> {
         let all = summands.iter().map(|(each, _)| each.len()).sum();
         if all > MERGED {
@@ -222,7 +222,7 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
     /// The sum of many polynomials, merged in pairs.
     ///
     /// # Errors
-    /// Any [`Limit`].
+    /// [`Limit`] where a coefficient overflows, or there are too many terms or operations.
     pub fn sum(mut summands: Vec<Self>, budget: &Budget) -> Result<Self, Limit> {
         while summands.len() > 1 {
             let mut merged = Vec::with_capacity(summands.len().div_ceil(2));
@@ -241,7 +241,7 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
     /// The product with one term.
     ///
     /// # Errors
-    /// Any [`Limit`].
+    /// [`Limit`] where a coefficient overflows, or an exponent exceeds 127.
     pub fn scaled(&self, monomial: &Monomial<W>, factor: &C) -> Result<Self, Limit> {
         if factor.is_zero() {
             return Ok(Self::zero());
@@ -253,7 +253,7 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
     /// The product with a number.
     ///
     /// # Errors
-    /// [`Limit::Overflow`].
+    /// [`Limit::Overflow`] where a coefficient overflows.
     pub fn times_constant(&self, factor: &C) -> Result<Self, Limit> {
         if factor.is_one() { Ok(self.clone()) } else { self.scaled(&monomial::unit(), factor) }
     }
@@ -261,7 +261,7 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
     /// The polynomial to a power.
     ///
     /// # Errors
-    /// Any [`Limit`] of the products.
+    /// [`Limit`] where a product exceeds a limit.
     pub fn power(&self, exponent: u32, budget: &Budget) -> Result<Self, Limit> {
         if let [(monomial, coefficient)] = self.terms.as_slice() {
             let mut power = monomial::unit();

@@ -122,7 +122,8 @@ impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
     /// The smallest change d of q, q' or q'' in the metric of M with J d = `missing`: d = M^-1 J^T mu.
     ///
     /// # Errors
-    /// As for [`Self::leading_to`].
+    /// [`NotDefinite`] with the index of the first coordinate without mass, or of the first constraint that depends on
+    /// those before it.
     pub fn change(&self, missing: [S; C]) -> Result<[S; N], NotDefinite> {
         self.least(missing).map(|(_, change)| change)
     }
@@ -138,7 +139,7 @@ impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
     /// M^-1 J^T, as one row of N accelerations for each unit multiplier.
     ///
     /// # Errors
-    /// As for [`Self::free`].
+    /// [`NotDefinite`] with the index of the first coordinate without mass.
     pub fn pushes(&self) -> Result<[[S; N]; C], NotDefinite> {
         let mut pushes = [[S::zero(); N]; C];
         for (push, row) in pushes.iter_mut().zip(self.kinematics.rows) {

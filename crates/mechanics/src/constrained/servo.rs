@@ -79,7 +79,7 @@ where
 /// phi and its rate r, for constraints whose violations obey the equation `contacts`.
 ///
 /// # Errors
-/// As for [`additions`].
+/// [`NotDefinite`] with the index of the first constraint that depends on those before it.
 pub fn violation<Q, L, S, const N: usize, const C: usize, const U: usize>(
     system: &Q,
     contacts: &L,

@@ -40,7 +40,7 @@ fn turning(body: &Body, p: Rational, w: f64) -> Vec<(Shape, Kind, [f64; 3])> {
 
 #[test]
 fn an_axis_that_is_unseen_at_one_speed_carries_a_motion_with_one_momentum() {
-    // s = -1/3 is an eigenvalue for the first axis: a = (0, 0, 3/5), z = (+-4/5, 0, 0), p = -9 +- 4/5
+    // s = -1/3 makes s h + s^2 G orthogonal to the first axis: a = (0, 0, 3/5), z = (+-4/5, 0, 0), p = -9 +- 4/5
     let tilted = body([3, 5, 4], [r(1, 1), r(0, 1), r(9, 5)], [r(3, 1), r(0, 1), r(0, 1)]);
     assert_eq!(turning(&tilted, r(-41, 5), -3.0), [(Shape::Point, Kind::Minimum, [0.8, 0.0, 0.6])]);
     assert_eq!(turning(&tilted, r(-49, 5), -3.0), [(Shape::Point, Kind::Minimum, [-0.8, 0.0, 0.6])]);
@@ -51,7 +51,8 @@ fn an_axis_that_is_unseen_at_one_speed_carries_a_motion_with_one_momentum() {
 
 #[test]
 fn a_circle_whose_momentum_varies_has_two_points_of_each_momentum_one_or_none() {
-    // s = 1/2 is a double eigenvalue, for the plane of the equal moments of inertia: v = (v1, v2, 3/5), v1 = p - 179/25
+    // s = 1/2 makes s h + s^2 G orthogonal to the plane of the equal moments of inertia: v = (v1, v2, 3/5) with
+    // v1 = p - 179/25
     let (zero, g) = (r(0, 1), r(14, 5));
     let oblique = body([4, 4, 2], [r(1, 1), zero, r(1, 1)], [r(-2, 1), zero, g]);
     let found = |p: Rational| -> Vec<[f64; 3]> { turning(&oblique, p, 2.0).into_iter().map(|one| one.2).collect() };

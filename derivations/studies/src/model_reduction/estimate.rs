@@ -158,7 +158,7 @@ impl Hierarchy {
     /// The error estimate of a reduced model, stopped at the first step or output time at which it exceeds `most`.
     ///
     /// # Errors
-    /// As [`Self::estimate`].
+    /// [`Failure`] of the run: the reduced model's motion may leave the domain of the full law.
     pub fn estimate_within(
         &self,
         reduced: &ReducedModel,

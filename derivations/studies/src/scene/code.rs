@@ -18,7 +18,7 @@ impl Scene {
     /// The tape of the Jacobian of the rates, row by row, by exact differentiation of the recorded expressions.
     ///
     /// # Errors
-    /// As [`Scene::tape`].
+    /// [`Untapeable`] where the law divides by the constant zero.
     pub fn jacobian_tape(&self, axes: Axes) -> Result<Tape, Untapeable> {
         self.read(axes, |TracedOde { state, rates, .. }| {
             let entries: Vec<Sym> = rates.iter().flat_map(|rate| state.iter().map(|&by| rate.diff(by))).collect();

@@ -88,7 +88,7 @@ impl Scheme {
     /// The matrix of a step in (y, h y').
     ///
     /// # Errors
-    /// As for [`Self::step`].
+    /// [`NotDefinite`] where elimination without pivoting fails for the stage of an implicit method.
     pub fn transition<S: Scalar>(self, beta: S, kappa: S) -> Result<[[S; 2]; 2], NotDefinite> {
         let law = [[S::zero(), S::one()], [-kappa, -beta]];
         let [first, second] = [[S::one(), S::zero()], [S::zero(), S::one()]].map(|unit| self.step(law, unit));

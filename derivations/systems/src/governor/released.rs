@@ -32,7 +32,7 @@ impl<P: Base> Governor<P> {
     /// The linearisation x' = A x + b u1 about a state.
     ///
     /// # Errors
-    /// [`NotDefinite`] under the condition of [`released`](Self::released).
+    /// [`NotDefinite`] if an inertia or mass that determines the accelerations is zero.
     pub fn linearised<S: Over<P> + Analytic>(
         &self,
         time: S,
