@@ -57,7 +57,7 @@ pub(super) struct Builder<'a> {
     /// The cosines among the states; the sine of each follows it.
     pub circles: Vec<Atom>,
     pub reduction: Option<Reduction<'a>>,
-    /// Products of sums are expanded if they have at most so many terms.
+    /// The largest number of terms to which a product of sums is expanded.
     multiplied_out: usize,
     /// The number of terms written by expansions so far.
     written: usize,

@@ -18,10 +18,10 @@ pub(super) enum Signs {
 /// The number of boxes that are split in any case.
 const FIRST: usize = 64;
 
-/// Afterwards boxes are split while at least one of so many splits has paid.
+/// Afterwards all boxes are split as long as at least one of this many splits reduced the work.
 const GAINS: usize = 8;
 
-/// Otherwise one of so many boxes is split.
+/// Otherwise one of this many boxes is split.
 const SELDOM: usize = 32;
 
 /// The statistics of splits in a search.

@@ -59,7 +59,7 @@ impl Branch {
 const SHORTEST: f64 = 1e-9;
 /// The smallest allowed cosine of the angle between the tangents at both ends of a step.
 const STRAIGHT: f64 = 0.95;
-/// The step size grows after a step that took at most so many corrections.
+/// The step size grows after a step that took at most this many corrections.
 const EASY: u32 = 6;
 /// The largest number of iterations for a fold; the bracketed secant method takes about ten.
 const MOST_TRIALS: u32 = 60;

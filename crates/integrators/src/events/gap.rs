@@ -1,6 +1,6 @@
 //! Gaps: time intervals within a step where the integration fails, as at a coordinate singularity.
 
-/// The search ends after so many failed instants.
+/// The search ends after this many failed instants.
 const MOST: usize = 24;
 
 /// A gap within the bracket of a zero, narrowed from both sides. `found` counts the failed instants.

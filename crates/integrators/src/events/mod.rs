@@ -129,10 +129,10 @@ pub fn integrate_to_event(
 /// An event with its state.
 type Found = (Event, Vec<f64>);
 
-/// Times that differ by at most so many units of rounding count as equal.
+/// Times that differ by at most this many units of rounding count as equal.
 const TOGETHER: f64 = 8.0;
 
-/// A signal that falls to zero within so many units of rounding of the time at which the step size collapses counts as
+/// A signal that falls to zero within this many units of rounding of the time at which the step size collapses counts as
 /// zero. Where rates are infinite at the zero, as for a square root, no step reaches the zero itself.
 const AT_THE_END: f64 = 256.0;
 

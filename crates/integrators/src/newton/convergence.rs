@@ -6,7 +6,7 @@
 use crate::Real;
 use crate::run::stepping::Cause;
 
-/// The iteration fails after so many corrections.
+/// The iteration fails after this many corrections.
 const MOST_ITERATIONS: u32 = 50;
 /// The iteration has not converged if its last correction, relative to the state, is larger than this.
 const CONVERGED: f64 = 1e-9;

@@ -21,11 +21,11 @@ pub(crate) enum Attempt {
     },
 }
 
-/// An explicit method completes a stiff problem if at most so many steps remain: this is cheaper for the user than
+/// An explicit method completes a stiff problem if at most this many steps remain: this is cheaper for the user than
 /// another method.
 const FEW: f64 = 5_000.0;
 
-/// An interval of at most so many roundings of the time is not divided.
+/// An interval of at most this many roundings of the time is not divided.
 const AT_ONCE: f64 = 16.0;
 
 /// The reason why a step was rejected. If no shorter step succeeds, it is the reason of the failure.
@@ -204,7 +204,7 @@ fn shorten<S: Real>(proposed: f64, remaining: S) -> S {
     }
 }
 
-/// A state smaller than so many tolerances, such as at a start from zero, is not used to scale the first step: it is
+/// A state smaller than this many tolerances, such as at a start from zero, is not used to scale the first step: it is
 /// small compared with its rate.
 const SMALL: f64 = 10.0;
 

@@ -5,7 +5,7 @@ use crate::run::outcome::{LOST, Lost};
 use crate::run::within::{StepEnd, Within};
 use crate::{Deviation, End, Failure, Observer, Outcome, Projection, Real, Span};
 
-/// The sizes of monitored quantities are computed at least after so many steps.
+/// The magnitudes of monitored quantities are computed at least once in this many steps.
 const SIZED: u64 = 64;
 
 /// The state of a run outside its method.

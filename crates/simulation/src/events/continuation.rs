@@ -20,7 +20,7 @@ use integrators::{Observer, Ode, System, TaylorSeries, Tolerance};
 /// and the terms of e/t grow as ((t + b)/b)^k with the order k; t must be small compared with b.
 const PARTS: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
 
-/// Both sums may differ by at most so many tolerances, or by the fraction `ROUNDING` of the largest component.
+/// Both sums may differ by at most this many tolerances, or by the fraction `ROUNDING` of the largest component.
 const AGREED: f64 = 10.0;
 const ROUNDING: f64 = 1e-9;
 

@@ -85,7 +85,7 @@ pub trait Switching: Send + Sync {
 const MANY_EVENTS: usize = 20_000;
 const SHORT: f64 = 0.02;
 
-/// After so many events in a row within a rounding of the time, their times count as having a limit.
+/// After this many events in a row within a rounding of the time, their times count as having a limit.
 const MOST_TOGETHER: usize = 64;
 
 /// The reason of a run that ends where its events accumulate.

@@ -34,7 +34,7 @@ const LOOKED_AT: usize = 64;
 const SHORT: f64 = 1.0 / 32.0;
 
 /// The steps of a method need a bound for short cells only if the function was quiet before: no cell as short lies
-/// within so many of its lengths before it, nor all the way from the start.
+/// within this many of its lengths before it, nor all the way from the start.
 const QUIET: f64 = 24.0;
 const QUIET_AT_START: f64 = 8.0;
 

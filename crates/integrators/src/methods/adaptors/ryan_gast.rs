@@ -46,10 +46,10 @@ pub(crate) enum Choice {
 const SMALL: usize = 8;
 const SMALLEST: usize = 4;
 
-/// The run ends after so many rejections in a row.
+/// The run ends after this many rejections in a row.
 const MOST_REJECTIONS: u32 = 60;
 
-/// After so many rejections in a row Newton's iteration counts as limited by rounding.
+/// After this many rejections in a row Newton's iteration counts as limited by rounding.
 const STALLED: u32 = 12;
 
 /// The number of attempts in a window, and the fraction of rejected ones among them from which Newton's iteration also

@@ -20,11 +20,11 @@ use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::{Attempt, Cause, Stepper};
 use crate::{Real, Tolerance};
 
-/// The step is shortened after so many iterations.
+/// The step is shortened after this many iterations.
 const MOST_ITERATIONS: usize = 30;
-/// A reused Jacobian is renewed after so many iterations, plus two for each stage.
+/// A reused Jacobian is renewed after this many iterations, plus two for each stage.
 const MOST_KEPT: usize = 6;
-/// Fresh Jacobians pay if at least so many further iterations are expected.
+/// New Jacobians of all stages are computed if at least this many further iterations are expected.
 const PATIENCE: f64 = 8.0;
 /// The error of Newton's iteration, as a fraction of the tolerance.
 const LEFT_BY_NEWTON: f64 = 0.01;

@@ -145,7 +145,7 @@ mod tests {
     use crate::Span;
     use crate::law::bell::Bell;
 
-    /// The error at t = 2 after so many equal steps.
+    /// The error at t = 2 after this many equal steps.
     fn error(coefficients: Coefficients, steps: u32) -> f64 {
         let mut method = Rodas4 { coefficients, ..Rodas4::new(Jacobian::new(&Bell), &Tolerance::both(1e-2), 1) };
         let (span, step) = (Span::new(0.0, 2.0, &[1.0]), 2.0 / f64::from(steps));

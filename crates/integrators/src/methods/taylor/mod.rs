@@ -166,11 +166,11 @@ impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {
     }
 }
 
-/// If the rates of the series and of the law differ over a step by more than so many times the allowed error, the law
+/// If the rates of the series and of the law differ over a step by more than this many times the allowed error, the law
 /// has changed its branch.
 const OFF: f64 = 1e3;
 
-/// Differences below so many roundings of the largest component are ignored: the rates of a body that friction holds at
+/// Differences below this many roundings of the largest component are ignored: the rates of a body that friction holds at
 /// rest are rounding errors.
 const NOISE: f64 = 64.0;
 

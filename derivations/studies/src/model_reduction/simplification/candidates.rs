@@ -16,7 +16,7 @@ use integrators::Jacobian;
 use simulation::{Law, SymbolicLaw, traced};
 use symbolic::{Hypotheses, Sym, decide, substitute_all};
 
-/// A transient is fast if the run is longer than so many of its time constants.
+/// A transient is fast if the run is longer than this many of its time constants.
 const FAST: f64 = 20.0;
 /// The largest number of fast transients that are neglected together.
 const MOST_FAST: usize = 6;

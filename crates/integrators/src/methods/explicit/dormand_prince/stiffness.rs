@@ -8,7 +8,7 @@ use crate::run::budgeted_rhs::BudgetedRhs;
 /// Interval of regular tests, in accepted steps.
 const EVERY: u64 = 100;
 
-/// The eigenvalues are computed after so many steps that seem limited by stability. [`OTHERS`] other steps in a row
+/// The eigenvalues are computed after this many steps that seem limited by stability. [`OTHERS`] other steps in a row
 /// reset the count.
 const LIMITED: u32 = 15;
 const OTHERS: u32 = 6;
