@@ -33,7 +33,7 @@ impl Elementary {
         if self == Elementary::Atan2 { 2 } else { 1 }
     }
 
-    /// The partial derivatives by a and b, from the arguments and the value.
+    /// The partial derivatives with respect to a and b, from the arguments and the value.
     pub fn slopes<S: Scalar>(self, a: S, b: S, value: S) -> [S; 2] {
         match self {
             Elementary::Exp => [value, S::zero()],

@@ -38,7 +38,7 @@ impl<S: Scalar, const N: usize> Regulator<S, N> {
     /// The control u that minimises B: the root of its derivative, which is affine in u.
     pub fn optimal(&self, value: [[S; N]; N], x: [S; N]) -> S {
         let lifted = self.fixed();
-        // the outer derivative is by u, the inner one by x
+        // the outer derivative is with respect to u, the inner one with respect to x
         let slope = |u: Tangent<S>| {
             let twice = lifted.fixed().bellman(value.map(fixed).map(fixed), fixed(fixed(x)), Tangent::variable(u));
             twice.slope
@@ -61,7 +61,7 @@ impl<S: Scalar, const N: usize> Regulator<S, N> {
         })
     }
 
-    /// The regulator with constant dual numbers, for derivatives by other variables.
+    /// The regulator with constant dual numbers, for derivatives with respect to other variables.
     pub fn fixed(&self) -> Regulator<Tangent<S>, N> {
         Regulator {
             matrix: self.matrix.map(fixed),

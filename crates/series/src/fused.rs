@@ -66,8 +66,8 @@ impl Fused for DoubleDouble {
     }
 }
 
-/// Dual numbers with a derivative in each lane, for the series of a solution and of its derivatives by the initial
-/// state.
+/// Dual numbers with a derivative in each lane, for the series of a solution and of its derivatives with respect to the
+/// initial state.
 impl<const L: usize> Fused for Tangent<Batch<L>> {
     type Stored = [Self; 8];
     type Small = Never;

@@ -8,9 +8,9 @@
 //! * [`PeriodicMotions`]: motions that are periodic up to a shift, such as a whole turn, by shooting;
 //! * [`spectrum`]: eigenvalues and Floquet multipliers, which decide linear stability.
 //!
-//! The parameter is the last state of the law, with the rate zero. The derivatives by the parameter are then part of
-//! the Jacobian of the law. (The crate `russell_nonlin` also continues curves, but it needs sparse solvers in C,
-//! locates folds only to within a step, and has no periodic motions.)
+//! The parameter is the last state of the law, with the rate zero. The derivatives with respect to the parameter are
+//! then part of the Jacobian of the law. (The crate `russell_nonlin` also continues curves, but it needs sparse solvers
+//! in C, locates folds only to within a step, and has no periodic motions.)
 
 mod continuation;
 mod corrector;
@@ -30,8 +30,8 @@ pub trait Curve {
     /// The number of unknowns, n + 1.
     fn unknowns(&self) -> usize;
 
-    /// Writes the n residuals at x, and the Jacobian: `matrix[i * (n + 1) + j]` is the derivative of equation i by
-    /// unknown j.
+    /// Writes the n residuals at x, and the Jacobian: `matrix[i * (n + 1) + j]` is the derivative of equation i with
+    /// respect to unknown j.
     ///
     /// # Errors
     /// [`Failure`] where the equations are undefined at x.

@@ -46,8 +46,8 @@ impl<'a> PeriodicMotions<'a> {
         (start, lasts)
     }
 
-    /// The Jacobian of the return map, by all states but that of the section and the parameter: its dimension m, and
-    /// its m x m entries.
+    /// The Jacobian of the return map, with respect to all states but that of the section and the parameter: its
+    /// dimension m, and its m x m entries.
     ///
     /// # Errors
     /// [`Failure`] where the run over one period fails.

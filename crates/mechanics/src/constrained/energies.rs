@@ -31,7 +31,7 @@ pub trait Energies<const N: usize, const C: usize> {
     fn constraints<S: Over<Self::Given> + Analytic>(&self, time: S, q: [S; N]) -> [S; C];
 }
 
-/// The residuals f and f' at t, q, q'. Needs no derivatives by the coordinates.
+/// The residuals f and f' at t, q, q'. Needs no derivatives with respect to the coordinates.
 pub fn violation<Q: Energies<N, C>, S: Over<Q::Given> + Analytic, const N: usize, const C: usize>(
     system: &Q,
     at: &State<S, N>,

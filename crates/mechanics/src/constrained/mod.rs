@@ -64,7 +64,7 @@ pub struct State<S, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> State<S, N> {
-    /// The state with constant dual numbers, for derivatives by other variables.
+    /// The state with constant dual numbers, for derivatives with respect to other variables.
     pub fn fixed(self) -> State<Tangent<S>, N> {
         State {
             time: Tangent::fixed(self.time),

@@ -46,7 +46,7 @@ impl<S: Scalar, const N: usize, const R: usize> Motion<S, N, R> {
         self.fields.map(|field| (0..N).fold(S::zero(), |sum, i| sum + force[i] * field[i]))
     }
 
-    /// The kinematics with constant dual numbers, for derivatives by other variables.
+    /// The kinematics with constant dual numbers, for derivatives with respect to other variables.
     pub fn fixed(self) -> Motion<Tangent<S>, N, R> {
         Motion { state: self.state.fixed(), drift: fixed(self.drift), fields: self.fields.map(fixed) }
     }

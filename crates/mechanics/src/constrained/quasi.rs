@@ -44,7 +44,7 @@ where
     let speeds = system.rates(time, q, p);
     let mut operator = Operator { energy: [S::zero(); R], lost: [S::zero(); R] };
     for j in 0..R {
-        // inner derivative along the motion, outer one by p_j: the mixed derivative is d/dt d/dp_j
+        // inner derivative along the motion, outer one with respect to p_j: the mixed derivative is d/dt d/dp_j
         let varied = velocity(
             system,
             Tangent::fixed(Tangent::variable(time)),

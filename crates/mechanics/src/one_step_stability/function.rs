@@ -12,7 +12,7 @@ pub struct StabilityFunction {
 }
 
 impl StabilityFunction {
-    /// ln|R| at z = (re, im), and its derivative by the logarithm of the step size, Re(z R'/R).
+    /// ln|R| at z = (re, im), and its derivative with respect to the logarithm of the step size, Re(z R'/R).
     pub fn growth(&self, [re, im]: [f64; 2]) -> (f64, f64) {
         let z = Complex::new(re, im);
         let zero = Complex::new(0.0, 0.0);

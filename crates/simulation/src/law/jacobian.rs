@@ -15,7 +15,7 @@ use symbolic::{Program, Sym, Tape};
 /// 32 and 14; 10 in space (2,635) 8,310 and 5,000, 168 and 25.
 const LONGEST_WRITTEN: usize = 600;
 
-/// The derivatives of a law by state and time, from exact symbolic differentiation.
+/// The derivatives of a law with respect to state and time, from exact symbolic differentiation.
 pub struct JacobianProgram {
     law: Arc<dyn SymbolicLaw>,
     directional: DirectionalProgram,

@@ -60,7 +60,7 @@ fn energy(page: &mut Page, s: &GovernorLetters) {
     )
     .holds([Line::formula(s.acceleration_energy(), name, discs(s.ddrho))]);
     page.correct();
-    // Appell's equations contain only the derivatives of S by the accelerations
+    // Appell's equations contain only the derivatives of S with respect to the accelerations
     let seen = |energy: Sym| [tidy(energy.diff(s.dspeed)), energy.diff(s.ddrho)];
     let rim = s.drho * s.speed + s.rho * s.dspeed;
     let reduced =

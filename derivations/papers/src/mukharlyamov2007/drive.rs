@@ -9,7 +9,7 @@ use systems::crank_drive::{Circuit, CrankDrive};
 
 use Condition::{Equal, Zero};
 
-/// The voltage of a diode: the derivative of its content by the current.
+/// The voltage of a diode: the derivative of its content with respect to the current.
 pub fn voltage(drive: &CrankDrive<Sym>, current: Sym) -> Sym {
     drive.diode(Tangent::variable(current)).slope
 }

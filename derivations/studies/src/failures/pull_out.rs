@@ -103,8 +103,8 @@ fn rubbed<P: Datum>(motor: &Motor<P>, friction: P) -> Motor<P> {
     motor.over(|quantity, value| if quantity.name == "f" { friction } else { value })
 }
 
-/// The friction at pull-out: the derivative of the torque by the angle vanishes, and the friction torque balances the
-/// torque.
+/// The friction at pull-out: the derivative of the torque with respect to the angle vanishes, and the friction torque
+/// balances the torque.
 fn critical(motor: &Motor) -> Option<Rational> {
     let t = Sym::symbol("t");
     let [free, rubbed] = [0, 1].map(|f| rubbed(&motor.decimals(), Sym::int(f)));

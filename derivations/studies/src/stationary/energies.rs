@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 use symbolic::Sym;
 use systems::gyrostat::Gyrostat;
 
-/// The second derivatives of T by (w, phi'), and the gradient of -V by the vertical.
+/// The second derivatives of T with respect to (w, phi'), and the gradient of -V with respect to the vertical.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Energies<P: field::Scalar> {
     /// d2T/dw2, kg m^2.
@@ -22,7 +22,7 @@ pub struct Energies<P: field::Scalar> {
 /// The rotor's constant quantity, which determines the quadratic form M and the vector h of W.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kept {
-    /// The speed relative to the carrier: M is the second derivative of T by w.
+    /// The speed relative to the carrier: M is the second derivative of T with respect to w.
     RelativeSpeed,
     /// The own momentum p = dT/dphi' (Routh): M is that derivative reduced by the rotor's part, and h its coefficient
     /// times p.

@@ -7,7 +7,7 @@ use crate::clock;
 use crate::methods::taylor::taylor_order;
 use crate::{DIRECTIONS, Failure, Refusal, System, TaylorSeries, Tolerance, Variations};
 
-/// The state at the end of a motion, and its derivatives by the initial state.
+/// The state at the end of a motion, and its derivatives with respect to the initial state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transition {
     pub state: Vec<f64>,
@@ -17,8 +17,8 @@ pub struct Transition {
     pub steps: u64,
 }
 
-/// Integrates a state and its derivatives by the initial state from one time to another. The tolerance applies to the
-/// state, and to each column of derivatives relative to its largest entry.
+/// Integrates a state and its derivatives with respect to the initial state from one time to another. The tolerance
+/// applies to the state, and to each column of derivatives relative to its largest entry.
 ///
 /// # Errors
 /// [`Failure`] where the system provides no Taylor series, the integration fails, or the clock of the process ends it.

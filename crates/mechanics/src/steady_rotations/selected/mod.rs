@@ -7,8 +7,8 @@
 //!   |v| = 1 :             s^2 N_h.N_h + 2 s^3 N_h.N_G + s^4 N_G.N_G = q^2 ,
 //!   p = w v.M v + h.v :   x q - p s q + s^3 G.N_h + s^4 G.N_G = 0 .
 //!
-//! Two rotations merge where the derivative of |v|^2 by x at fixed s vanishes. For the folds the second equation is
-//! therefore replaced by (d/dx - 2 q'/q) (N_h.N_h + 2 s N_h.N_G + s^2 N_G.N_G) q = 0.
+//! Two rotations merge where the derivative of |v|^2 with respect to x at fixed s vanishes. For the folds the second
+//! equation is therefore replaced by (d/dx - 2 q'/q) (N_h.N_h + 2 s N_h.N_G + s^2 N_G.N_G) q = 0.
 //!
 //! # Overview
 //! * `equations`: both equations, as polynomials in s with polynomials in x as coefficients;

@@ -100,8 +100,8 @@ impl<const B: usize, const G: usize> Linearised<B, G> {
         own.run(pick, shape, places, orders, between, rows);
     }
 
-    /// The derivatives of the rates by all quantities at a point: L, plus the weight of each product times one factor,
-    /// in the column of the other.
+    /// The derivatives of the rates with respect to all quantities at a point: L, plus the weight of each product times
+    /// one factor, in the column of the other.
     #[inline(always)]
     fn linearise<P: Permute<f64>>(&mut self, pick: P, point: &[[f64; 8]; B]) {
         let (weights, point) = (self.weights.as_flattened(), point.as_flattened());

@@ -4,8 +4,8 @@
 //!
 //!   f(y)_k = J y_k + W m_k ,    m_k = a_1 b_(k-1) + .. + a_(k-1) b_1 for each product a b ,
 //!
-//! where J and W are the derivatives of f at y_0 by the quantities and by the products, after the elimination of solved
-//! quantities.
+//! where J and W are the derivatives of f at y_0 with respect to the quantities and with respect to the products, after
+//! the elimination of solved quantities.
 
 use super::matrix::{Fours, Matrix, times};
 use super::pattern::Pattern;

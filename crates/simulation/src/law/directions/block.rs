@@ -9,7 +9,7 @@ pub(super) const LANES: usize = 16;
 /// A block of directions.
 #[derive(Debug)]
 pub(super) struct Block {
-    /// The inputs by which the block differentiates.
+    /// The inputs with respect to which the block differentiates.
     pub inputs: Range<usize>,
     /// The sums between inputs and outputs that depend on these inputs.
     pub moved: Vec<Range<u32>>,

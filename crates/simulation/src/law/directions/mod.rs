@@ -13,10 +13,10 @@ use std::sync::{Arc, OnceLock};
 use sums::{Run, Sums};
 use symbolic::{Differential, Sym};
 
-/// Computes the symbolic differential of the rates by the state and the time.
+/// Computes the symbolic differential of the rates with respect to the state and the time.
 type Write = dyn Fn(&[Sym], Sym) -> Differential + Send + Sync;
 
-/// The derivatives of a law by state and time.
+/// The derivatives of a law with respect to state and time.
 pub struct DirectionalProgram {
     states: usize,
     write: Box<Write>,
