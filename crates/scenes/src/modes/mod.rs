@@ -4,6 +4,7 @@
 mod accumulation;
 mod algebraic;
 mod combinations;
+mod consistency;
 mod contacts;
 mod continuum;
 mod course;

@@ -1,7 +1,8 @@
 //! The mode in which a run begins, and the mode after an event.
 
+use super::consistency::{Standing, alone, beyond};
 use super::course::Sets;
-use super::decision::{Decided, Open, SLACKS, Standing, TERMS, alone, beyond, decided};
+use super::decision::{Decided, Open, SLACKS, TERMS, decided};
 use super::event_error::late;
 use super::expansion::{Expansion, Instant, Kind, Touching};
 use super::glides::Glide;

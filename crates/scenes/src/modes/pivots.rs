@@ -4,7 +4,8 @@
 //! friction B = -G R with a semidefinite matrix G and the bounds R of the forces, and criss-cross pivots in a fixed order terminate
 //! (Klafszky and Terlaky 1992). The signs are those of Taylor series in time, ordered lexicographically.
 
-use super::decision::{TERMS, contradicted};
+use super::consistency::contradicted;
+use super::decision::TERMS;
 use super::expansion::{Expansion, Expansions, Instant, Slopes, solved};
 use super::jet::Jet;
 use super::mode::{Case, Mode};

@@ -4,7 +4,8 @@
 //! are s = 1/2 + B^T l, limited to 0 and 1, which is a convex problem with one solution (see `expansion/parts.rs`). Criss-cross pivots
 //! find the switches at their limits.
 
-use super::decision::{TERMS, differ, rests};
+use super::consistency::rests;
+use super::decision::{TERMS, differ};
 use super::expansion::{Expansion, Expansions, Instant, Slopes};
 use super::mode::{Case, Mode};
 use super::pivots::{Implied, replaced};

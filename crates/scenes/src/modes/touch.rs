@@ -4,7 +4,8 @@
 //! sticks if N and mu |N| - |T| are positive, or rise from zero. It slides if N is positive and the sliding velocity leaves zero in the
 //! direction that friction opposes.
 
-use super::decision::{FEW, SLACKS, Standing, TERMS};
+use super::consistency::Standing;
+use super::decision::{FEW, SLACKS, TERMS};
 use super::expansion::{Kind, Touching, direction};
 use super::jet::Jet;
 use super::mode::{Face, Phase};
