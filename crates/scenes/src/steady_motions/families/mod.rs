@@ -356,8 +356,7 @@ fn arc(mut ends: Vec<[f64; 2]>) -> [f64; 2] {
         last = last.max(own[1]);
     }
     if widest <= JOINT || first + 2.0 * PI - last >= widest {
-        let turns = turns_to_zero(first);
-        return [first + turns, last + turns];
+        return [first, last];
     }
     // the widest gap lies between the arcs: the result begins behind it and continues beyond a turn
     let end = ends.iter().map(|own| own[1]).filter(|end| *end < begin).fold(f64::NEG_INFINITY, f64::max) + 2.0 * PI;
