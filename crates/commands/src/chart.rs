@@ -194,7 +194,7 @@ fn with_share(failure: &Failure) -> String {
 }
 
 fn no_reference(scene: &dyn IvpScene, run: &Trajectory, reason: &str) -> String {
-    let told = scene.told(&scene.run().choice(), run);
+    let told = scene.told(&following(scene.run().choice()), run);
     let mut diagnosis = told.diagnosis.map_or_else(String::new, |diagnosis| format!("{diagnosis}\n"));
     for failure in &told.failures {
         diagnosis += &format!("failure: {failure}\nremedy: {}\n", failure.remedy);

@@ -249,6 +249,14 @@ impl Modes {
     /// # Errors
     /// [`Refused`] if no motion, or more than one, starts from the state.
     pub fn first(&self, state: &[f64]) -> Result<Arc<CompiledSystem>, Refused> {
+        self.law_from(0.0, state)
+    }
+
+    /// The law of the motion from a state at a time in s.
+    ///
+    /// # Errors
+    /// [`Refused`] if no motion, or more than one, starts from the state.
+    pub fn law_from(&self, time: f64, state: &[f64]) -> Result<Arc<CompiledSystem>, Refused> {
         let model = &self.laws.model;
         CompiledSystem::has_equations(model).map_err(Refused::Law)?;
         // with algebraic speeds, a mode that no run enters may have no law
@@ -259,13 +267,14 @@ impl Modes {
             }
         }
         let expansions = self.laws.expansions().map_err(Refused::Law)?;
-        let instant = Instant::at(0.0, state);
+        let instant = Instant::at(time, state);
         if let Ok(cases) = self.cases_next(&instant)
             && let Some(unfit) = Unfit::first(expansions, &instant, &cases)
         {
             return Err(Refused::Contact(unfit));
         }
-        let begun = self.begun(0.0, state).map_err(|why| Refused::Motion { why, switch: self.at_zero(0.0, state) })?;
+        let begun =
+            self.begun(time, state).map_err(|why| Refused::Motion { why, switch: self.at_zero(time, state) })?;
         Ok(Arc::clone(&begun.moded.system))
     }
 

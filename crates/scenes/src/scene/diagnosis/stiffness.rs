@@ -157,7 +157,7 @@ fn modes(run: &Samples<'_>, time: f64, state: &[f64]) -> Option<Vec<Mode>> {
     if n > MOST_STATES {
         return None;
     }
-    let law = law_at(run, state);
+    let law = law_at(run, (time, state));
     let mut matrix = vec![0.0; n * n];
     Jacobian::of(&*law).matrix(time, state, &mut matrix);
     if !matrix.iter().all(|entry| entry.is_finite()) {
@@ -177,11 +177,11 @@ fn modes(run: &Samples<'_>, time: f64, state: &[f64]) -> Option<Vec<Mode>> {
     Some(values.iter().filter_map(|value| Some(Mode { value: *value, at: time, moves: moves(value)? })).collect())
 }
 
-/// The law of the motion from a state.
-fn law_at(run: &Samples<'_>, state: &[f64]) -> Arc<dyn Law> {
+/// The law of the motion from a state at a time in s.
+fn law_at(run: &Samples<'_>, (time, state): (f64, &[f64])) -> Arc<dyn Law> {
     let model = &run.scene.model;
     let changes = !model.switches.is_empty() || !model.contacts.is_empty();
-    let here = if changes { Modes::of(model, &[], &[]).first(state).ok() } else { None };
+    let here = if changes { Modes::of(model, &[], &[]).law_from(time, state).ok() } else { None };
     here.as_ref().unwrap_or(&run.scene.system).law()
 }
 
