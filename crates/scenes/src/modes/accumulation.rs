@@ -32,22 +32,41 @@ pub(super) struct Impact<'a> {
 }
 
 impl Modes {
-    /// The contacts that are closed by an impact because the flights that follow are negligible: those that bounce, and those between which a
-    /// body rocks.
+    /// The contacts that an impact closes because the flights that follow are negligible: those that bounce, and those between which a body rocks.
+    /// The velocities along their normals become zero, and of a body that rocks without sliding the sliding velocities too.
     pub(super) fn accumulated(
         &self,
         mode: &Mode,
         impact: Impact<'_>,
-        (time, state): (f64, &[f64]),
+        (time, state): (f64, &mut [f64]),
     ) -> Result<Vec<usize>, &'static str> {
-        if self.rocking_ends(mode, impact, (time, state))? {
-            return Ok([impact.struck, impact.opened].concat());
+        let expansions = self.laws.expansions().map_err(refused)?;
+        let closed = |stick: &[usize], slide: &[usize]| {
+            let mut closed = mode.clone();
+            stick.iter().for_each(|contact| closed.phases[*contact] = Phase::Sticks(Face::Front));
+            slide.iter().for_each(|contact| {
+                closed.phases[*contact] = Phase::Slips { forwards: true, face: Face::Front };
+            });
+            closed
+        };
+        if let Some(next) = self.rocking_ends(mode, impact, (time, state))? {
+            let all = [impact.struck, impact.opened].concat();
+            let (stick, slide): (Vec<usize>, Vec<usize>) =
+                impact.struck.iter().partition(|contact| next.phases[**contact].sticking().is_some());
+            // the friction of several contacts on one body is not determined: that of those that were struck suffices
+            if !expansions.return_to_zero(time, state, &closed(&stick, &[&slide, impact.opened].concat()), 0.0) {
+                expansions.return_to_zero(time, state, &closed(&[], &all), 0.0);
+            }
+            return Ok(all);
         }
         let mut ended = Vec::new();
         for &contact in impact.struck {
             if self.bounces_end(mode, contact, (time, state))? {
                 ended.push(contact);
             }
+        }
+        if !ended.is_empty() {
+            expansions.return_to_zero(time, state, &closed(&[], &ended), 0.0);
         }
         Ok(ended)
     }
@@ -65,17 +84,25 @@ impl Modes {
         Ok(flight.duration > 0.0 && flight.duration.is_finite() && restitution < 1.0 && is_over)
     }
 
-    /// Whether the flights of contacts that an impact has opened are short compared with the time of the run, as those of a block that rocks from
-    /// edge to edge. The ratio of successive flights follows from the time since the last impact.
+    /// The mode of the next flight if the flights of contacts that an impact has opened are short relative to the time of the run, as those of a block that
+    /// rocks from edge to edge. The ratio of successive flights follows from the time since the last impact.
     fn rocking_ends(
         &self,
         mode: &Mode,
         impact: Impact<'_>,
         (time, state): (f64, &[f64]),
-    ) -> Result<bool, &'static str> {
+    ) -> Result<Option<Mode>, &'static str> {
         let Impact { struck, opened, stay, stick } = impact;
-        let Some(last) = self.last_impact().filter(|_| !opened.is_empty()) else { return Ok(false) };
+        let Some(last) = self.last_impact().filter(|_| !opened.is_empty()) else { return Ok(None) };
         let expansions = self.laws.expansions().map_err(refused)?;
+        // the direction of a slide in space is not known before its mode is decided
+        let is_rough_in_space = |contact: &usize| {
+            let kind = expansions.kinds[*contact];
+            kind.is_in_space && kind.is_rough
+        };
+        if struck.iter().chain(opened).any(is_rough_in_space) {
+            return Ok(None);
+        }
         let mut next = mode.clone();
         for &contact in opened {
             next.phases[contact] = Phase::Apart;
@@ -92,14 +119,15 @@ impl Modes {
                 Phase::Slips { forwards: forwards > 0.0, face: Face::Front }
             };
         }
-        let Some(found) = expansions.at::<2>(&Instant::at(time, state), &next) else { return Ok(false) };
+        let Some(found) = expansions.at::<2>(&Instant::at(time, state), &next) else { return Ok(None) };
         let flies = |contact: &&usize| next.phases[**contact] == Phase::Apart;
         let flights: Vec<Flight> =
             struck.iter().chain(opened).filter(flies).map(|contact| Flight::of(&found.contacts[*contact])).collect();
         let longest = flights.iter().map(|flight| flight.duration).fold(0.0, f64::max);
         let ratio = longest / (time - last);
         let is_low = flights.iter().all(|flight| flight.height < flight.lowest(ratio));
-        Ok(ratio < SHRINKS && (longest / (1.0 - ratio) < SHARED_BOUNCES * time || is_low))
+        let ends = ratio < SHRINKS && (longest / (1.0 - ratio) < SHARED_BOUNCES * time || is_low);
+        Ok(ends.then_some(next))
     }
 
     /// The time of the last impact of the run.

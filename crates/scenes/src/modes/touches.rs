@@ -139,11 +139,6 @@ impl Modes {
             if !ended.is_empty() {
                 sets = Sets::LastBounce;
                 opened.retain(|contact| !ended.contains(contact));
-                let mut closed = mode.clone();
-                for &contact in &ended {
-                    closed.phases[contact] = Phase::Slips { forwards: true, face: Face::Front };
-                }
-                expansions.return_to_zero(time, state, &closed, 0.0);
             }
         }
         let jumps = |place: usize, now: &Touching<1>| {

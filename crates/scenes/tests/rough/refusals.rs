@@ -92,7 +92,6 @@ fn a_contact_that_means_nothing_is_refused_at_its_place() {
         ([("through = \"O\"\n", "gap = \"x + x'*(1 s)\"\n")], "the gap of a contact is a length by positions"),
         ([("through = \"O\"\n", "through = \"G\"\n")], "moves with the coordinates, and no body has it"),
         ([("through = \"O\"\n", "through = \"O\"\nwith = \"ladder\"\n")], "this one touches itself"),
-        ([(normal, "normal = \"N.x\"\nimpact = \"poisson\"\n")], "the law of a coefficient of restitution"),
         (
             [(normal, "normal = \"N.x\"\nrestitution = \"1\"\nimpact = \"hunt\"\n")],
             "the law of restitution is Newton's, Poisson's or Moreau's",
