@@ -159,7 +159,7 @@ impl Map<'_> {
         let [first, second] = self.names;
         let kinds = self.kinds();
         let mut out = format!("{}\n", self.title);
-        let letter = |place: usize| char::from(b"ABCDEFGHIJKLMNOPQRSTUVWXYZ"[place.min(25)]);
+        let letter = |place: usize| char::from(b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz*"[place.min(52)]);
         // writing to a String cannot fail
         for (place, (kind, cells)) in kinds.iter().enumerate() {
             let _ = writeln!(out, "  {}  {} ({cells} cells)", letter(place), said(*kind));

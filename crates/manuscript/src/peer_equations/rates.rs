@@ -73,8 +73,8 @@ impl PeerRates {
         }
         let (mut values, mut of_rates) = (Vec::new(), Vec::new());
         for name in &peer.accelerations {
-            let speed =
-                words.get(&name[..name.len() - 1]).ok_or_else(|| unread(format!("`{name}` is no rate of a letter")))?;
+            let speed = name.strip_suffix('\'').and_then(|of| words.get(of));
+            let speed = speed.ok_or_else(|| unread(format!("`{name}` is no rate of a letter")))?;
             let value = rate(trace, speed).map_err(unread)?;
             values.push((unknown(name), value));
             words.add(name, unknown(name));

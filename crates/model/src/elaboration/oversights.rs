@@ -1,7 +1,8 @@
 //! Warnings about parameters that are unused, and about parameters without a unit in expressions of inconsistent dimensions.
 
 use crate::{
-    ContactSource, DriveSource, Entry, Fault, InertiaSource, LoadSource, OneWaySource, Source, Text, WindingSource,
+    ContactSource, DriveSource, Entry, Fault, InertiaSource, LoadSource, OneWaySource, RegulatorSource, Source, Text,
+    WindingSource,
 };
 use rustc_hash::FxHashSet;
 
@@ -80,5 +81,8 @@ fn texts(source: &Source) -> Vec<&Text> {
     }
     texts.extend(source.inputs.iter().filter_map(|input| input.value.as_ref()));
     texts.extend(source.events.iter().map(|event| &event.when));
+    if let Some(RegulatorSource { cost, last, horizon, displaced, .. }) = &source.regulator {
+        texts.extend(last.iter().chain(horizon).chain(displaced.iter().map(|entry| &entry.value)).chain([cost]));
+    }
     texts
 }

@@ -70,8 +70,10 @@ fn is_zero(slope: Sym) -> bool {
 fn free_name(source: &Source, number: usize) -> String {
     let taken = |name: &String| {
         let Source { parameters, coordinates, definitions, frames, points, speeds, .. } = source;
-        let mut tables = [parameters, coordinates, definitions, frames, points, speeds].into_iter().flatten();
-        tables.any(|entry| entry.name.text == *name)
+        let tables = [parameters, coordinates, definitions, frames, points, speeds].into_iter().flatten();
+        let names = tables.map(|entry| &entry.name.text).chain(source.bodies.iter().map(|body| &body.name.text));
+        let mut names = names.chain(source.inputs.iter().map(|input| &input.name.text));
+        names.any(|taken| taken == name)
     };
     let mut name = format!("guide_{}", number + 1);
     while taken(&name) {

@@ -191,6 +191,27 @@ fn a_start_from_which_two_motions_go_has_no_run() {
     assert!(stopped.is_some_and(|why| why.starts_with("does not begin: several motions are possible from here")));
 }
 
+/// The force begins beyond x = 0: the body may stay there, or leave. Where it begins at x = 0, the body leaves.
+#[test]
+fn a_body_at_rest_where_a_force_begins_has_two_motions() {
+    let stopped = runs(&PUSHED.replace("FORCE", "if(x > (0 m), (2 N), 0)"), Method::DormandPrince8).stopped();
+    assert!(stopped.is_some_and(|why| why.starts_with("does not begin: several motions are possible from here")));
+    let pushed = runs(&PUSHED.replace("FORCE", "if(x >= (0 m), (2 N), 0)"), Method::DormandPrince8);
+    assert_eq!(pushed.stopped(), None);
+    close(pushed.last[0], 12.5, 1e-9);
+}
+
+/// A force that is switched 5000 times a second for five seconds: more than 20,000 events are no failure.
+#[test]
+fn switching_at_a_fixed_frequency_goes_on() {
+    let switched = PUSHED.replace("FORCE", "if(sin(2*pi*t*(2500 1/s)) > 0, (4 N), 0)");
+    let trajectory = runs(&switched, Method::DormandPrince8);
+    assert_eq!(trajectory.stopped(), None);
+    assert!(trajectory.passages.len() > 20_000);
+    // the mean force is 2 N
+    close(trajectory.last[0], 12.5, 2e-3);
+}
+
 #[test]
 fn a_programmed_constraint_is_led_to_zero_from_where_it_starts() {
     let led = format!(

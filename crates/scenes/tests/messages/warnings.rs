@@ -93,6 +93,9 @@ fn a_parameter_that_nothing_uses_is_a_warning() {
     assert!(found[0].0 == "idle" && found[0].1.contains("the parameter `idle` is not used"), "{found:?}");
     let used = [("m = \"2 kg\"", "m = \"2 kg\"\nidle = \"1 m\""), ("\"reach\"", "\"reach - idle\"")];
     assert_eq!(warnings(&used), Vec::new());
+    let of_cost = "[inputs]\nu = \"N m\"\n[[force]]\nalong = \"theta\"\nis = \"u\"\n[regulator]\ncost = \"(theta/idle)^2 + (u/(1 N m))^2\"\n[outputs]";
+    let used = [("m = \"2 kg\"", "m = \"2 kg\"\nidle = \"0.1 rad\""), ("[outputs]", of_cost)];
+    assert_eq!(warnings(&used), Vec::new());
 }
 
 #[test]
