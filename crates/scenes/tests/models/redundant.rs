@@ -83,6 +83,38 @@ fn a_constraint_that_follows_from_others_is_named_and_runs_without_a_reaction() 
     }
 }
 
+/// Five rods along edges of a cube, joined by six hinges (Bricard 1897): five angles and five constraints, of which one follows from the others.
+#[test]
+fn the_rectangular_bricard_mechanism_moves_with_one_degree_of_freedom() {
+    let hinges = [("N", "y"), ("F1", "z"), ("F2", "x"), ("F3", "y"), ("F4", "z")];
+    let rods = [("O", "x", 1.0), ("P1", "y", -1.0), ("P2", "z", 1.0), ("P3", "x", -1.0), ("P4", "y", 1.0)];
+    let [mut coordinates, mut frames, mut points, mut bodies] = [const { String::new() }; 4];
+    for (k, ((base, axis), (from, along, way))) in (1..).zip(hinges.into_iter().zip(rods)) {
+        coordinates += &format!("a{k} = \"rad\"\n");
+        frames += &format!("F{k} = \"{base} turned a{k} about {axis}\"\n");
+        points += &format!("P{k} = \"{from} + ({way} m)*F{k}.{along}\"\n");
+        let about = |own: &str| if own == along { "(0 kg m^2)" } else { "(1 kg m^2)/12" };
+        let principal = ["x", "y", "z"].map(|own| format!("\"{}\"", about(own))).join(", ");
+        let half = 0.5 * way;
+        bodies += &format!(
+            "[bodies.rod{k}]\nframe = \"F{k}\"\ncentre = \"{from} + ({half} m)*F{k}.{along}\"\nmass = \"(1 kg)\"\ninertia = {{ principal = [{principal}] }}\n"
+        );
+    }
+    let scene = scene(&format!(
+        "title = \"Bricard\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[coordinates]\n{coordinates}[frames]\n{frames}[points]\n{points}{bodies}\
+         [[constraint]]\nzero = \"P5 - O - (1 m)*N.z\"\n[[constraint]]\nzero = [\"F5.x . N.y\", \"F5.x . N.z\"]\n[run]\nspan = \"5 s\"\n"
+    ));
+    assert_eq!(scene.model.implied.len(), 1);
+    let [first, second] = [Method::DormandPrince8, Method::Taylor].map(|method| super::end(&scene, method, 1e-12));
+    for (last, kept) in [&first, &second] {
+        assert!(kept.iter().all(|moved| moved.abs() < 1e-9), "{kept:?}");
+        // the mechanism is symmetric
+        assert!((last[0] - last[2]).abs() < 1e-9 && (last[0] - last[4]).abs() < 1e-9, "{last:?}");
+        assert!((last[1] - last[3]).abs() < 1e-9 && last[0].abs() > 0.1, "{last:?}");
+    }
+    assert!(first.0[..10].iter().zip(&second.0).all(|(one, other)| (one - other).abs() < 1e-8), "{first:?} {second:?}");
+}
+
 /// Four constraints and four angles: in general no motion is possible, but on the branch of the start there is one degree of freedom.
 #[test]
 fn quasi_velocities_are_judged_on_the_branch_of_the_start() {
