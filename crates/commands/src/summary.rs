@@ -3,6 +3,7 @@
 use integrators::{Failure, Lost, StepHalvingCheck, StepHalvingVerdict};
 use serde_json::{Map, Value, json};
 use simulation::events::Passage;
+use simulation::problem::unit_of_invariant;
 use simulation::{Axes, Choice, IvpScene, RunFailure, Trajectory};
 use std::fmt::Write;
 
@@ -111,16 +112,20 @@ impl Summary<'_> {
             line(&format!("  {name}"), self.measured(name, *value));
         }
         for deviation in &outcome.deviations {
+            let unit = match unit_of_invariant(&deviation.name) {
+                "" => String::new(),
+                unit => format!(" {unit}"),
+            };
             let kept = match trajectory.lost() {
                 _ if !deviation.largest.is_finite() => format!("without a value at t = {} s", deviation.at),
                 Some((own, Lost { at, size })) if own.name == deviation.name => format!(
-                    "lost at t = {at:.9} s, where its change passed a hundredth of its size, {size:.1e}; in all it changed by at most {:.1e}. \
+                    "lost at t = {at:.9} s, where its change passed a hundredth of its size, {size:.1e}{unit}; in all it changed by at most {:.1e}{unit}. \
                      From there on the numbers are no motion of this system; a finer tolerance keeps it, or shows where the law ends",
                     deviation.largest
                 ),
-                _ => format!("changed by at most {:.1e}", deviation.largest),
+                _ => format!("changed by at most {:.1e}{unit}", deviation.largest),
             };
-            line(&deviation.name, format!("{}, {kept}", readable(deviation.first)));
+            line(&deviation.name, format!("{}{unit}, {kept}", readable(deviation.first)));
         }
         if let Some((what, deviation)) = told.closed_form {
             let off = if deviation.is_finite() { format!("{deviation:.1e}") } else { UNDEFINED.to_owned() };

@@ -5,6 +5,7 @@ use dalembert::integrators::{Jacobian, Ode};
 use dalembert::simulation::Law;
 use dalembert_native::CFunction;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyUntypedArrayMethods};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use std::sync::{Arc, OnceLock};
 
@@ -24,6 +25,10 @@ impl NamedLaw {
             Ok(array) if array.is_contiguous() => array.clone(),
             _ => {
                 let numpy = py.import("numpy")?;
+                if numpy.call_method1("iscomplexobj", (state,))?.is_truthy()? {
+                    let why = "a state is real: this one is complex, and derivatives by complex steps are not possible; `jacobian()` is exact";
+                    return Err(PyTypeError::new_err(why));
+                }
                 let made = numpy.call_method1("ascontiguousarray", (state, numpy.getattr("float64")?))?;
                 let shape = made.getattr("shape")?.to_string();
                 made.cast_into::<PyArray1<f64>>().map_err(|_| self.wrong_length(py, &shape))?

@@ -1,6 +1,7 @@
 //! Equations of motion in several notations.
 
 use crate::errors::{not_derived, refused};
+use crate::interruptible::interruptible;
 use dalembert::scenes::SystemText;
 use dalembert::scenes::derivation::{NamedPrinciple, Notation, derived};
 use dalembert::symbolic::Language;
@@ -18,8 +19,9 @@ impl Equations {
     /// Derives the equations of a text; without a principle by the default one.
     pub fn of(py: Python<'_>, text: &SystemText, principle: Option<&str>) -> PyResult<Self> {
         let asked = principle.map(NamedPrinciple::of_name).transpose().map_err(|why| refused(py, &text.name, why))?;
-        let found =
-            py.detach(|| derived(text, asked, false, |derived| (derived.principle, derived.written(Notation::Text))));
+        let of = text.clone();
+        let shown = move || derived(&of, asked, false, |derived| (derived.principle, derived.written(Notation::Text)));
+        let found = interruptible(py, shown)?;
         let (principle, read) = found.map_err(|why| not_derived(py, &text.name, why))?;
         // equations that are too long for reading are still available as code
         let read = read.unwrap_or_else(|why| why);
@@ -28,8 +30,9 @@ impl Equations {
 
     fn written(&self, py: Python<'_>, notation: Notation) -> PyResult<String> {
         let is_code = matches!(notation, Notation::Code(_));
-        let found =
-            py.detach(|| derived(&self.text, Some(self.principle), is_code, |derived| derived.written(notation)));
+        let (text, principle) = (self.text.clone(), self.principle);
+        let shown = move || derived(&text, Some(principle), is_code, |derived| derived.written(notation));
+        let found = interruptible(py, shown)?;
         let written = found.map_err(|why| not_derived(py, &self.text.name, why))?;
         written.map_err(|why| refused(py, &self.text.name, why))
     }

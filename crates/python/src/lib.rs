@@ -5,6 +5,7 @@
 mod callables;
 mod equations;
 mod errors;
+mod interruptible;
 mod judgement;
 mod linear;
 mod model;
@@ -23,6 +24,9 @@ use pyo3::prelude::*;
 
 /// Issues a Python warning about a text.
 fn warn(text: &str) {
+    if interruptible::handed(text) {
+        return;
+    }
     Python::attach(|py| {
         let text = text.strip_prefix("warning: ").unwrap_or(text);
         let told = std::ffi::CString::new(text).map(|text| {

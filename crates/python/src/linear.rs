@@ -1,6 +1,7 @@
 //! Linear equations of a model about a point.
 
 use crate::errors::{issue, refused};
+use crate::interruptible::interruptible;
 use dalembert::scenes::linearisation::{Linear, Names, VariedEquations, inputs_of, point_of};
 use dalembert::scenes::{SystemText, Task, without_law};
 use numpy::{Complex64, PyArray1, PyArray2, PyArrayMethods};
@@ -21,14 +22,18 @@ impl LinearEquations {
         let place = |found: dalembert::reader::Issue| issue(py, (&text.name, &text.text), found);
         model.close_inputs();
         let inputs = inputs_of(&mut model, inputs).map_err(|why| refused(py, &text.name, why))?;
-        let ((time, state), choice) = py.detach(|| point_of(&mut model, equilibrium)).map_err(place)?;
-        if let Some(choice) = choice {
-            crate::warn(&choice);
-        }
-        let equations = py.detach(|| VariedEquations::of(&model, &inputs));
-        let equations = equations.map_err(|why| place(without_law(&model, &why, "there are no linear equations")))?;
-        let found = py.detach(|| equations.about(time, &state)).map_err(|why| place(why.at(&model, time)))?;
-        Ok(LinearEquations { found, names: Names::of(&model, &equations) })
+        let found = interruptible(py, move || {
+            let ((time, state), choice) = point_of(&mut model, equilibrium)?;
+            if let Some(choice) = choice {
+                crate::warn(&choice);
+            }
+            let equations = VariedEquations::of(&model, &inputs);
+            let equations =
+                equations.map_err(|why| without_law(&model, &why, "there are no linear equations"))?;
+            let found = equations.about(time, &state).map_err(|why| why.at(&model, time))?;
+            Ok(LinearEquations { found, names: Names::of(&model, &equations) })
+        })?;
+        found.map_err(place)
     }
 
     fn matrix<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray2<f64>>> {

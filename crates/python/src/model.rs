@@ -3,6 +3,7 @@
 use crate::callables::{JacobianMatrix, NamedLaw, RightHandSide};
 use crate::equations::Equations;
 use crate::errors::{refused, scene_error};
+use crate::interruptible::interruptible;
 use crate::judgement::Judgement;
 use crate::linear::LinearEquations;
 use crate::motions;
@@ -62,7 +63,8 @@ impl NativeModel {
             return Ok(scene);
         }
         let given = Given { run: Some(usual()), values: self.text.values.clone(), ..Given::default() };
-        let made = py.detach(|| ModelScene::parse_with(&self.text.name, &self.text.text, given));
+        let SystemText { name, text, .. } = self.text.clone();
+        let made = interruptible(py, move || ModelScene::parse_with(&name, &text, given))?;
         let made = made.map_err(|error| scene_error(py, &error))?;
         Ok(self.scene.get_or_init(|| Arc::new(made)))
     }
@@ -168,8 +170,9 @@ impl NativeModel {
     }
 
     fn prove(&self, py: Python<'_>) -> PyResult<Vec<Judgement>> {
-        let model = py.detach(|| self.text.for_judgement()).map_err(|error| scene_error(py, &error))?;
-        let found = py.detach(|| symbolic::apart(|| judgements(&Trace::of(&model))));
+        let text = self.text.clone();
+        let model = interruptible(py, move || text.for_judgement())?.map_err(|error| scene_error(py, &error))?;
+        let found = interruptible(py, move || symbolic::apart(|| judgements(&Trace::of(&model))))?;
         Ok(found.into_iter().map(Judgement).collect())
     }
 

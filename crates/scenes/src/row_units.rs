@@ -63,7 +63,7 @@ pub fn unit_of(model: &Model, name: &str) -> String {
     };
     let parameter = || Some(model.parameters.iter().find(|parameter| parameter.name == name)?.unit.clone());
     let input = || Some(coherent(&model.inputs.iter().find(|input| input.name == name)?.unit));
-    let known = state.or_else(energy).or_else(output).or_else(parameter).or_else(input);
+    let known = state.or_else(output).or_else(energy).or_else(parameter).or_else(input);
     let component = || Some(model.clone().body_velocities().into_iter().find(|own| own.name == name)?.unit());
     known.or_else(component).unwrap_or_else(|| "1".to_owned())
 }

@@ -98,3 +98,8 @@ pub struct Invariant {
     /// by a hundredth of it has lost the integral.
     pub size: Option<Box<Function>>,
 }
+
+/// The unit of an invariant, by its name; empty where it is not known.
+pub fn unit_of_invariant(name: &str) -> &'static str {
+    if name.starts_with("energy") { "J" } else { "" }
+}

@@ -219,3 +219,70 @@ fn a_unit_that_was_changed_is_left_alone() {
     assert!(said.contains("exists and is no unchanged unit of `dalembert export`"), "{said}");
     assert!(fs::read(&path).expect("it is there") == changed);
 }
+
+#[test]
+fn a_condition_with_equality_holds_at_equality_in_each_language() {
+    let folder = Folder::new("equality");
+    folder.scene(&sliding("if(t >= (0.5 s), F, -F) + if(x > (1 m), F, 0)", ""));
+    for (option, file, [with, without]) in [
+        ("--c", "law.c", ["r0 >= 0.0 ? 1.0 : 0.0", "r0 > 0.0 ? 1.0 : 0.0"]),
+        ("--python", "law.py", ["1.0 if r0 >= 0.0", "1.0 if r0 > 0.0"]),
+        ("--rust", "law.rs", ["if r0 >= 0.0", "if r0 > 0.0"]),
+        ("--casadi", "law_casadi.py", ["if_else(r0 >= 0.0", "if_else(r0 > 0.0"]),
+        ("--modelica", "Law.mo", ["condition1 = if r", ">= 0 then 1 else 0"]),
+    ] {
+        let text = folder.text(option, file);
+        assert!(text.contains(with) && text.contains(without), "{option}: {text}");
+    }
+}
+
+#[test]
+fn conditions_with_equal_expressions_have_one_case() {
+    let folder = Folder::new("equal_conditions");
+    // the condition in the middle holds the case of x > 0, which the table has as x - 0 > 0
+    let table = "table(x, (0 m), 0, (2 m), 1)";
+    folder.scene(&sliding(&format!("F*if(sign(x)*x < (2 m)*cos(x/(1 m)), 1, 2) + F*{table}"), ""));
+    let text = folder.text("--c", "law.c");
+    let cases: Vec<&str> = text.lines().filter(|line| line.contains("? 1.0 : 0.0")).collect();
+    assert_eq!(cases.iter().filter(|line| line.contains("q[0] > 0.0")).count(), 1, "{cases:?}");
+    assert!(text.contains("double s[3];"), "{text}");
+}
+
+#[test]
+fn a_program_calls_every_function_that_it_imports() {
+    let folder = Folder::new("imports");
+    folder.scene(&sliding("-F*tanh(x'/v0)", ""));
+    assert!(folder.text("--python", "law.py").contains("\nfrom numpy import tanh\n"));
+    assert!(folder.text("--casadi", "law_casadi.py").contains("\nfrom casadi import tanh\n"));
+    folder.scene(&sliding("-F*x'/v0", ""));
+    assert!(!folder.text("--python", "law.py").contains("from numpy"));
+}
+
+#[test]
+fn a_program_names_the_conditions_that_may_stick() {
+    let folder = Folder::new("named_conditions");
+    folder.scene(&sliding("-F*sign(x') + if(x > (1 m), F, 0)", ""));
+    let told = String::from_utf8_lossy(&folder.export(&["--c", "law.c"]).stderr).into_owned();
+    assert!(told.contains("Conditions of speeds here: [x' > 0] (in m/s, line 12)"), "{told}");
+    assert!(folder.text("--c", "law.c").contains("Conditions of speeds here: [x' > 0] (in m/s, line 12)"));
+}
+
+#[test]
+fn quantities_of_one_name_keep_their_own_units_in_a_unit() {
+    let folder = Folder::new("one_name");
+    folder.scene(&sliding("-F*tanh(x'/v0)", "[outputs]\nm = \"2*x\"\n"));
+    let unit = folder.text("--fmu", "unit.fmu");
+    for part in ["name=\"m\" valueReference=\"5\" description=\"2 kg\"", "unit=\"kg\" start=\"2.0\"", "name=\"m_\""] {
+        assert!(unit.contains(part), "{part}\n{unit}");
+    }
+}
+
+#[test]
+fn conditions_of_nested_functions_are_judged_in_no_time() {
+    let folder = Folder::new("nested");
+    let nested = "F*cos(tanh(if((if(x < (2 m), 3, x/(1 m)))/(1 + sign(x)^2) >= (1 + cos(x/(1 m))^2)^(1/3), cos(abs(x)/(1 m)), \
+                  ln(2 + table(x/(1 m), -1, 0.5, 0, 0.681, 0.5, 0.2, 2, 1)^2))))";
+    folder.scene(&sliding(nested, "[outputs]\nb = \"sign(x')*x\"\n"));
+    let output = folder.export(&["--modelica", "Nested.mo", "--seconds", "30"]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+}

@@ -162,3 +162,23 @@ fn an_ensemble_that_is_interrupted_says_where_it_goes_on() {
     let next = format!("the same command continues with member {}\n", table.lines().count());
     assert!(told.ends_with(&next) && table.ends_with('\n'), "{told}");
 }
+
+/// Members that run alone, since their law changes at a condition, and longer than Ctrl-C takes.
+#[cfg(target_os = "linux")]
+const LONG_MEMBERS: &str = "title = \"A spring that is harder on one side\"\n[parameters]\nk = \"1 N/m\"\n[coordinates]\nx = \"m\"\n\
+    [energies]\nkinetic = \"(1 kg)*x'^2/2\"\npotential = \"k*x^2/2 + if(x > (0 m), k, 0)*x^2\"\n[start]\nx = \"1 m\"\n[run]\nspan = \"10000 s\"\n\
+    [ensemble]\nmembers = 3\n[ensemble.vary]\nparameters.k = { from = \"1 N/m\", to = \"2 N/m\" }\n";
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_member_that_is_interrupted_has_no_row() {
+    let (scene, path) = (temporary("long_members.toml"), temporary("long_members.csv"));
+    std::fs::write(&scene, LONG_MEMBERS).expect("it is written");
+    let output = interrupted(&["ensemble", &scene.display().to_string()], &path);
+    let told = String::from_utf8_lossy(&output.stdout);
+    let table = std::fs::read_to_string(&path).expect("it was written");
+    [&scene, &path].map(|path| std::fs::remove_file(path).expect("it is there"));
+    assert_eq!(output.status.code(), Some(130), "{told}");
+    assert_eq!(table.lines().count(), 1, "{table}");
+    assert!(told.ends_with("the same command continues with member 1\n"), "{told}");
+}

@@ -2,7 +2,8 @@
 
 use super::parts::reached;
 use crate::arena::{Part, Scalar};
-use crate::{Energies, Inertia, Model, ScalarId, Turn, Zero};
+use crate::{Energies, Inertia, Model, ScalarId, Trace, Turn, Zero};
+use symbolic::{Sym, apart};
 
 /// Removes the switches that the law does not contain.
 pub(super) fn keep_those_of_law(model: &mut Model) {
@@ -16,13 +17,41 @@ pub(super) fn keep_those_of_law(model: &mut Model) {
             stays[*switch] |= in_law;
         }
     }
+    for part in &mut model.arena.parts {
+        if let Part::Scalar(Scalar::Switch(switch, at_zero)) = *part
+            && !stays[switch]
+        {
+            *part = Part::Scalar(Scalar::Step(model.switches[switch], at_zero));
+        }
+    }
+    let all: Vec<usize> = (0..stays.len()).collect();
+    renumber(model, &all, &stays);
+}
+
+/// Gives switches with equal expressions, such as those of `x` and `x - 0`, one number: they have one letter, hence one case.
+pub(super) fn share_equal(model: &mut Model) {
+    // expressions that hold letters of equal switches are equal only once these are one
+    while model.switches.len() > 1 {
+        let first: Vec<usize> = apart(|| {
+            let trace = Trace::of(model);
+            let conditions: Vec<Sym> = model.switches.iter().map(|&switch| trace.scalar(switch)).collect();
+            let first = |(place, is): (usize, &Sym)| conditions.iter().position(|known| known == is).unwrap_or(place);
+            conditions.iter().enumerate().map(first).collect()
+        });
+        let stays: Vec<bool> = first.iter().enumerate().map(|(place, first)| place == *first).collect();
+        if stays.iter().all(|stays| *stays) {
+            return;
+        }
+        renumber(model, &first, &stays);
+    }
+}
+
+/// Replaces each switch by another one, and keeps some of them.
+fn renumber(model: &mut Model, by: &[usize], stays: &[bool]) {
     let left = |switch: usize| stays[..switch].iter().filter(|stays| **stays).count();
     for part in &mut model.arena.parts {
         if let Part::Scalar(Scalar::Switch(switch, at_zero)) = *part {
-            *part = Part::Scalar(match stays[switch] {
-                true => Scalar::Switch(left(switch), at_zero),
-                false => Scalar::Step(model.switches[switch], at_zero),
-            });
+            *part = Part::Scalar(Scalar::Switch(left(by[switch]), at_zero));
         }
     }
     let mut kept = stays.iter();

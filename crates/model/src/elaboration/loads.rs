@@ -1,6 +1,8 @@
 //! Gravity, energies, constraints, outputs and the start. Forces and torques are in the module `forces`.
 
+use super::names::column_of_every_run;
 use super::one_sided_loads::Load;
+use super::rates::accelerated;
 use super::value::Value;
 use super::{Elaborator, GRAVITY, Sound, mismatch};
 use crate::parts::TURNING;
@@ -98,7 +100,12 @@ impl Elaborator<'_> {
             _ => joule(),
         };
         let what = super::rates::called(&name.text);
-        let id = self.scalar_value(value, &what, Some(needed))?;
+        let id = self.scalar_value(value, &what, None)?;
+        // an energy of a wrong order has a wrong dimension too
+        if let Some(fault) = accelerated(&name.text, self.orders.of(id.0), value.span()) {
+            return Err(Box::new(fault));
+        }
+        self.must_measure(&value.span(), id.0, &what, Some(needed))?;
         let energies = &mut self.model.energies;
         match name.text.as_str() {
             "kinetic" => energies.kinetic = Some(id),
@@ -212,8 +219,7 @@ impl Elaborator<'_> {
     fn column_of(&self, name: &str) -> Option<&'static str> {
         let is_state = || self.model.state_names().iter().any(|(own, _)| own == name);
         match name {
-            "time" => Some("the column of times"),
-            "kinetic_energy" | "potential_energy" => Some("an energy of the run"),
+            _ if column_of_every_run(name).is_some() => column_of_every_run(name),
             _ if self.quasi_velocity_of(name).is_some() => Some("a quasi-velocity"),
             _ if self.model.outputs.iter().any(|output| output.name == name) => Some("another output"),
             _ if is_state() => Some("a coordinate or a speed"),

@@ -2,7 +2,7 @@
 //! loads, masses and other energies may also depend on speeds, but not on accelerations, which would change the mass matrix.
 
 use super::Elaborator;
-use super::orders::Orders;
+use super::orders::{ACCELERATIONS, Orders, SPEEDS};
 use crate::{Constraint, Fault, Force, Inertia, ScalarId, Text, Torque, Turn, VectorId, Zero};
 use std::ops::Range;
 
@@ -17,13 +17,21 @@ struct Bounded {
 
 impl Bounded {
     fn fault(self) -> Option<Fault> {
-        self.order.filter(|order| *order > self.most)?;
-        let (held, accepted) = match self.most {
-            0 => ("speeds", "coordinates and the time; speeds stand in forces and constraints"),
-            _ => ("accelerations", "coordinates, speeds and the time"),
+        let order = self.order.filter(|order| *order > self.most)?;
+        let accepted = match self.most {
+            0 => "coordinates and the time; speeds stand in forces and constraints",
+            _ => "coordinates, speeds and the time",
         };
+        let held = if order < ACCELERATIONS { "speeds" } else { "accelerations" };
         Some(Fault::at(self.span.unwrap_or(0..0), format!("{} holds {held}", self.what), "this", accepted))
     }
+}
+
+/// The fault of an energy that holds accelerations, of whichever dimension it is.
+pub(super) fn accelerated(energy: &str, order: Option<usize>, span: Range<usize>) -> Option<Fault> {
+    let order = order.filter(|order| *order >= ACCELERATIONS);
+    let most = if energy == "potential" { 0 } else { SPEEDS };
+    Bounded { what: called(energy), order, most, span: Some(span) }.fault()
 }
 
 /// Returns the highest order in some nodes.

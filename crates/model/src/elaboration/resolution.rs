@@ -38,6 +38,7 @@ fn settled(source: &Source, Resolved { mut model, loads, .. }: Resolved) -> Resu
     model.hold(&source.rigid)?;
     model.leave_out(&source.absent);
     conditions_of_law::keep_those_of_law(&mut model);
+    conditions_of_law::share_equal(&mut model);
     let mut faults = axial::tilted(&model);
     faults.extend(turning_inertias::turning(&model));
     if faults.is_empty() {

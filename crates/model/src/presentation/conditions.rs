@@ -55,12 +55,17 @@ pub(super) fn left_out_between_events(trace: &Trace<'_>, form: &MatrixForm) -> V
     };
     let mut sentences: Vec<String> = trace.model.implied.iter().map(implied).collect();
     sentences.extend(form.quasi.iter().flat_map(|quasi| &quasi.divisors).map(|divisor| divisor.told(trace)));
-    if !conditions(trace, form).is_empty() {
-        sentences.push(
+    let mut sliding = conditions(trace, form);
+    // a force keeps a speed at zero, and no coordinate
+    sliding.retain(|one| one.is.symbols_of().iter().any(|symbol| form.speeds.contains(symbol)));
+    if !sliding.is_empty() {
+        let named = |one: &Condition| format!("{} ({})", one.letter, one.told);
+        let named: Vec<String> = sliding.iter().map(named).collect();
+        sentences.push(format!(
             "A condition that stays at zero, such as the speed of dry friction that sticks, is not part of these equations: \
-             `run` finds the force that keeps it there."
-                .to_owned(),
-        );
+             `run` finds the force that keeps it there. Conditions of speeds here: {}",
+            named.join(", ")
+        ));
     }
     if !trace.model.contacts.is_empty() {
         sentences.push(

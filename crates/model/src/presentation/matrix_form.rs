@@ -48,6 +48,8 @@ pub struct MatrixForm {
     pub inputs: Vec<Sym>,
     /// Pairs (symbol, condition): the symbol is 1 where the condition is positive, otherwise 0.
     pub switches: Vec<(Sym, Sym)>,
+    /// Whether each condition holds where it is zero.
+    pub(super) hold_at_zero: Vec<bool>,
     /// Direction cosines of free frames; in a form for reading only those that occur.
     pub cosines: Vec<Cosine>,
     /// Quaternions and direction cosines of free frames.
@@ -138,12 +140,18 @@ impl MatrixForm {
                 .zip(&trace.model.switches)
                 .map(|(&letter, &condition)| (letter, trace.scalar(condition)))
                 .collect(),
+            hold_at_zero: (0..trace.switches.len()).map(|switch| trace.model.holds_at_zero(switch)).collect(),
             inputs: open_letters(trace).into_iter().map(|(letter, _)| letter).collect(),
             cosines: cosines(trace),
             turns: trace.turns().collect(),
             lines: Lines::default(),
             positive: trace.model.parameters.iter().map(|each| each.value.is_some_and(|value| value > 0.0)).collect(),
         }
+    }
+
+    /// The comparison with zero by which a condition holds.
+    pub(super) fn relation(&self, condition: usize) -> &'static str {
+        if self.hold_at_zero.get(condition) == Some(&true) { ">=" } else { ">" }
     }
 
     /// Returns the number of leading coordinates whose rates are the leading speeds.
@@ -270,6 +278,7 @@ impl MatrixForm {
                 .iter()
                 .map(|&(letter, condition)| (single(map, letter), single(map, condition)))
                 .collect(),
+            hold_at_zero: self.hold_at_zero.clone(),
             inputs: map(&self.inputs),
             cosines: self
                 .cosines

@@ -109,8 +109,8 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
     for (letter, is) in coefficients.map(|each| (each.letter, each.is)).chain(rates) {
         let _ = writeln!(text, "{letter} = {}", is.sympy());
     }
-    for (name, (_, condition)) in switches.iter().zip(&form.switches) {
-        let _ = writeln!(text, "{name} = Piecewise((1, {} > 0), (0, True))", condition.sympy());
+    for (place, (name, (_, condition))) in switches.iter().zip(&form.switches).enumerate() {
+        let _ = writeln!(text, "{name} = Piecewise((1, {} {} 0), (0, True))", condition.sympy(), form.relation(place));
     }
     let _ = writeln!(text, "\nvalues = {{");
     for (name, parameter) in parameters.iter().zip(&trace.model.parameters) {

@@ -109,6 +109,10 @@ class Model:
             file = os.fsdecode(path)
         except TypeError:
             raise TypeError(f"`path` is {shown(path)}; the name of a file is accepted") from None
+        try:
+            file.encode()
+        except UnicodeEncodeError:
+            raise ValueError(f"`path` is {shown(path)}; a name in Unicode is accepted") from None
         return cls(*_read(lambda: NativeModel.from_file(file)))
 
     @staticmethod

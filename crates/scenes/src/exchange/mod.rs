@@ -5,7 +5,7 @@ mod jumps;
 mod refusals;
 
 use crate::readiness::ready;
-use crate::row_units::unit_of;
+use crate::row_units::{coherent, unit_of};
 use crate::scene::called;
 use crate::system_text::SystemText;
 use exchange::fmu::{Unit, Variable, Version};
@@ -118,16 +118,19 @@ pub fn unit(text: &SystemText, identifier: &str, origin: &str, tool: &str) -> Re
     let source = exported.without_sticking(source)?;
     let titled = crate::system_text::parse_titled(&text.name, &text.text, crate::size::Task::Write)?.0;
     let run = run_of(text);
-    let named = |name: &str, description: String, value: f64| Variable {
+    // quantities of different kinds may have one name: the unit belongs to the kind
+    let variable = |name: &str, unit: String, description: String, value: f64| Variable {
         name: name.to_owned(),
-        unit: unit_of(model, name),
+        unit,
         description,
         value,
     };
+    let named = |name: &str, value: f64| variable(name, unit_of(model, name), String::new(), value);
     let states =
-        model.state_names().into_iter().zip(start).map(|((name, _), value)| named(&name, String::new(), *value));
-    let parameters = model.parameters.iter();
-    let parameters = parameters.map(|each| named(&each.name, each.written.clone(), each.value.unwrap_or_default()));
+        model.state_names().into_iter().zip(start).map(|((name, _), value)| named(&name, *value));
+    let parameters = model.parameters.iter().map(|each| {
+        variable(&each.name, each.unit.clone(), each.written.clone(), each.value.unwrap_or_default())
+    });
     let open = model.inputs.iter().filter(|input| input.value.is_none());
     let line = |at: usize| 1 + text.text.get(..at).unwrap_or_default().matches('\n').count();
     let conditions = model.switch_places.iter().enumerate().map(|(place, at)| Variable {
@@ -152,9 +155,9 @@ pub fn unit(text: &SystemText, identifier: &str, origin: &str, tool: &str) -> Re
         span: run.as_ref().map_or(SPAN, |run| run.span),
         states: states.collect(),
         parameters: parameters.collect(),
-        inputs: open.map(|input| named(&input.name, String::new(), 0.0)).collect(),
-        outputs: model.outputs.iter().map(|output| named(&output.name, String::new(), 0.0)).collect(),
-        locals: ["kinetic_energy", "potential_energy"].map(|name| named(name, String::new(), 0.0)).to_vec(),
+        inputs: open.map(|input| variable(&input.name, coherent(&input.unit), String::new(), 0.0)).collect(),
+        outputs: model.outputs.iter().map(|output| named(&output.name, 0.0)).collect(),
+        locals: ["kinetic_energy", "potential_energy"].map(|name| variable(name, "J".to_owned(), String::new(), 0.0)).to_vec(),
         indicators: conditions.chain(events).collect(),
         source,
     })

@@ -4,7 +4,7 @@ use super::member_end::LaneEnd;
 use super::parametric_system::{BATCH_SIZE, Column, Ended, IndividualMembers, Member};
 use super::{EnsembleScene, Stopped};
 use crate::Margin;
-use integrators::{BatchStep, Ensemble, Failure, Members};
+use integrators::{BatchStep, Ensemble, Failure, Members, clock};
 use std::collections::BTreeMap;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -136,7 +136,8 @@ impl Worker<'_> {
             }
             let ended = self.scene.numbers(number).and_then(|drawn| alone.run_alone(&drawn, &goes_on));
             let drawn = self.scene.drawn(number);
-            if !goes_on() {
+            // a run that the clock has broken off is no result of its member, which is run anew when the table is continued
+            if !goes_on() || clock::over().is_some() {
                 return;
             }
             self.hand_on(match ended {

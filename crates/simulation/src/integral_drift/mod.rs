@@ -27,7 +27,7 @@ pub use return_time::{Returns, return_time};
 pub use theory::{Drift, Expected, expected};
 
 use crate::law::Law;
-use crate::problem::{Function, Invariant};
+use crate::problem::{Function, Invariant, unit_of_invariant};
 use integrators::{Failure, Method, Observer, Record, Span, Tolerance, integrate};
 use std::sync::Arc;
 
@@ -43,10 +43,9 @@ pub struct Integral {
 
 impl From<Invariant> for Integral {
     fn from(Invariant { name, value, size }: Invariant) -> Self {
-        let unit = if name.starts_with("energy") { "J" } else { "" };
         Integral {
             name: name.replace('_', " "),
-            unit: unit.to_owned(),
+            unit: unit_of_invariant(name).to_owned(),
             value: Arc::from(value),
             size: size.map(Arc::from),
         }

@@ -47,6 +47,15 @@ impl Hypotheses {
         Self::default()
     }
 
+    /// Whether nothing is assumed.
+    pub(crate) fn is_none(&self) -> bool {
+        self.rules.is_empty()
+            && self.given.is_empty()
+            && self.spheres.is_empty()
+            && self.statements.is_empty()
+            && self.refused.is_none()
+    }
+
     /// Adds the hypothesis that a vector has length one. The square of its last component is rewritten.
     pub fn unit_vector<const N: usize>(mut self, vector: [Sym; N]) -> Self {
         let Some((&last, others)) = vector.split_last() else {

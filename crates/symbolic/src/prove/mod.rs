@@ -2,6 +2,7 @@
 
 mod convert;
 mod decide;
+mod enclosure;
 mod failure;
 mod fraction;
 mod generators;
@@ -14,6 +15,7 @@ mod reduce;
 mod witness;
 
 pub use decide::{Decision, Proof, decide, decide_modulo};
+pub use enclosure::differs_from_zero;
 pub use hypotheses::{Hypotheses, Refused};
 pub use identity::{Identity, IdentityTest, identified};
 pub use normal::{NormalForm, NotNormal, normal};

@@ -2,7 +2,7 @@
 
 use dalembert_symbolic::linear::{Unsolved, solve};
 use dalembert_symbolic::{Hypotheses, Sym, coefficients, degree, symbols};
-use field::{Analytic, Scalar};
+use field::{Analytic, Elementary, Scalar};
 
 #[test]
 fn coefficients_are_read_off_as_they_are_written() {
@@ -53,4 +53,15 @@ fn a_singular_matrix_and_a_wrong_shape_are_refused() {
             .replace("cos(a)*cos(a)", "cos(a)^2")
             .replace("sin(a)*sin(a)", "sin(a)^2"))
     );
+}
+
+#[test]
+fn a_determinant_of_exponentials_is_shown_not_to_vanish_by_an_enclosure() {
+    let [a, b] = symbols(["a", "b"]);
+    let exp = |x: Sym| x.elementary(Elementary::Exp, x);
+    let none = Hypotheses::none();
+    let solution = solve(&[[exp(a) * b]], &[a], &none).map(|solution| solution.values()[0]);
+    assert!(solution.is_ok_and(|x| none.equal(x * exp(a) * b, a).is_zero()));
+    let vanishing = solve(&[[exp(a) - exp(a)]], &[b], &none);
+    assert_eq!(vanishing, Err(Unsolved::Singular));
 }

@@ -88,9 +88,9 @@ pub(super) fn functions(program: &Program, form: Form) -> String {
     for (k, condition) in conditions.iter().enumerate() {
         let _ = write!(
             chosen,
-            "    {{\n{}    s[{k}] = {} > 0.0 ? 1.0 : 0.0;\n    }}\n",
+            "    {{\n{}    s[{k}] = {} ? 1.0 : 0.0;\n    }}\n",
             indented(&condition.lines),
-            condition.outputs[0]
+            condition.holds
         );
     }
     if !conditions.is_empty() {

@@ -15,7 +15,12 @@ pub fn casadi(trace: &Trace<'_>, form: &MatrixForm, start: &[f64]) -> Result<Str
     program.close_inputs(trace);
     let Program { positions, n, m, parameters, conditions, terms, zeros, position_rates, .. } = &program;
     let mut text = program.heading("#");
-    text += "import casadi\nfrom casadi import atan2, cos, exp, log, sin, sqrt, tanh\n\n";
+    text += "import casadi\n";
+    let functions = program.functions();
+    if !functions.is_empty() {
+        let _ = writeln!(text, "from casadi import {}", functions.join(", "));
+    }
+    text += "\n";
     let names: Vec<String> = parameters.iter().map(|named| format!("{:?}", named.letter)).collect();
     let values = parameters.iter().map(|named| match named.value {
         Some(value) => format!("    {:?}: {value:?},  # {}\n", named.letter, named.unit),
@@ -36,9 +41,9 @@ pub fn casadi(trace: &Trace<'_>, form: &MatrixForm, start: &[f64]) -> Result<Str
     for condition in conditions {
         let _ = writeln!(
             text,
-            "{}    s.append(casadi.if_else({} > 0, 1.0, 0.0))",
+            "{}    s.append(casadi.if_else({}, 1.0, 0.0))",
             indented(&condition.lines),
-            condition.outputs[0]
+            condition.holds
         );
     }
     let column = |outputs: &[String]| format!("casadi.vertcat({})", outputs.join(", "));

@@ -45,14 +45,22 @@ struct Program {
     constraints: Vec<(String, Option<String>)>,
     /// Sentences on the parts of the model that the code omits.
     left_out: Vec<String>,
-    /// The conditions: a component of s is one where the condition is positive, otherwise zero.
-    conditions: Vec<Statements>,
-    /// The statements for M, h - Q, J and c.
+    /// Conditions, each of which makes a component of s one where it holds, else zero.
+    conditions: Vec<Condition>,
+    /// M, h - Q, J, c.
     terms: Statements,
     /// The statements for the constraints f.
     zeros: Statements,
     /// The statements for q'.
     position_rates: Statements,
+}
+
+/// A condition: a comparison of an expression with zero.
+struct Condition {
+    /// Statements that lead to the expression.
+    lines: Vec<String>,
+    /// The comparison: `r3 > 0.0`.
+    holds: String,
 }
 
 /// A parameter, or an input without a value.
@@ -128,6 +136,10 @@ impl Program {
             unit,
             value,
         };
+        let condition = |(place, (_, is)): (usize, &(Sym, Sym))| {
+            let Statements { lines, outputs } = statements(&[*is])?;
+            Ok::<_, String>(Condition { lines, holds: format!("{} {} 0.0", outputs[0], form.relation(place)) })
+        };
         Ok(Program {
             positions: form.positions.len(),
             n: form.speeds.len(),
@@ -141,11 +153,7 @@ impl Program {
             terms: statements(&terms(form))?,
             zeros: statements(&zeros)?,
             position_rates: statements(&form.position_rates)?,
-            conditions: form
-                .switches
-                .iter()
-                .map(|(_, condition)| statements(&[*condition]))
-                .collect::<Result<_, _>>()?,
+            conditions: (form.switches.iter().enumerate()).map(condition).collect::<Result<_, _>>()?,
             parameters: parameters.map(named).collect(),
             start: None,
         })
@@ -170,6 +178,15 @@ impl Program {
     /// Returns whether every parameter has a value.
     fn has_values(&self) -> bool {
         self.parameters.iter().all(|named| named.value.is_some())
+    }
+
+    /// Elementary functions that the statements call, in alphabetical order.
+    fn functions(&self) -> Vec<&'static str> {
+        let lists = [&self.terms.lines, &self.zeros.lines, &self.position_rates.lines];
+        let lists = lists.into_iter().chain(self.conditions.iter().map(|condition| &condition.lines));
+        let lines: Vec<&str> = lists.flatten().flat_map(|line| line.lines()).collect();
+        let is_called = |name: &&str| lines.iter().any(|line| line.contains(&format!("= {name}(")));
+        ["atan2", "cos", "exp", "log", "sin", "sqrt", "tanh"].into_iter().filter(is_called).collect()
     }
 
     /// Returns the first lines of a file as comments.

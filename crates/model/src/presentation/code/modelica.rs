@@ -132,10 +132,11 @@ pub fn modelica(trace: &Trace<'_>, form: &MatrixForm, name: &str, start: &[f64])
         let attributes = [unit(&measure), format!("start = {value:?}"), "fixed = true".to_owned()];
         text += &declared("", name, (&attributes, &own));
     }
-    let own =
-        trace.model.outputs.iter().map(|output| output.name.as_str()).chain(["kinetic_energy", "potential_energy"]);
-    for (name, own) in outputs.iter().zip(own) {
-        text += &declared("output ", name, (&[], own));
+    let coherent = |output: &crate::Output| units::Dimension::of(&output.dimension.to_string()).coherent();
+    let own = trace.model.outputs.iter().map(|output| (output.name.as_str(), coherent(output)));
+    let energies = ["kinetic_energy", "potential_energy"].map(|energy| (energy, "J".to_owned()));
+    for (name, (own, measure)) in outputs.iter().zip(own.chain(energies)) {
+        text += &declared("output ", name, (&[unit(&measure)], own));
     }
     text += "protected\n";
     let results = lines.iter().flat_map(|line| line.lines()).filter_map(|line| line.trim().split_once(" = "));
@@ -148,8 +149,8 @@ pub fn modelica(trace: &Trace<'_>, form: &MatrixForm, name: &str, start: &[f64])
     text += "equation\n";
     let lines = lines.iter().flat_map(|line| line.lines()).map(|line| format!("  {}\n", line.trim()));
     text.extend(lines);
-    for (case, condition) in cases.iter().zip(&conditions) {
-        let _ = writeln!(text, "  {case} = if {condition} > 0 then 1 else 0;");
+    for (place, (case, condition)) in cases.iter().zip(&conditions).enumerate() {
+        let _ = writeln!(text, "  {case} = if {condition} {} 0 then 1 else 0;", form.relation(place));
     }
     for (name, rate) in state.iter().zip(rates.iter().chain(&accelerations)) {
         let _ = writeln!(text, "  der({name}) = {rate};");

@@ -6,8 +6,13 @@ use std::fmt::Write;
 pub(super) fn written(program: &Program) -> String {
     let Program { positions, n, m, parameters, conditions, terms, zeros, position_rates, start, .. } = program;
     let mut text = program.heading("#");
-    text +=
-        "import numpy as np\nfrom numpy import arctan2 as atan2, cos, exp, log, sin, sqrt, tanh\n\nPARAMETERS = {\n";
+    text += "import numpy as np\n";
+    let named = |name: &'static str| if name == "atan2" { "arctan2 as atan2" } else { name };
+    let functions: Vec<&str> = program.functions().into_iter().map(named).collect();
+    if !functions.is_empty() {
+        let _ = writeln!(text, "from numpy import {}", functions.join(", "));
+    }
+    text += "\nPARAMETERS = {\n";
     for named in parameters {
         let _ = match named.value {
             Some(value) => writeln!(text, "    {:?}: {value:?},  # {}", named.letter, named.unit),
@@ -25,9 +30,9 @@ pub(super) fn written(program: &Program) -> String {
     for condition in conditions {
         let _ = writeln!(
             chosen,
-            "{}    s.append(1.0 if {} > 0 else 0.0)",
+            "{}    s.append(1.0 if {} else 0.0)",
             indented(&condition.lines),
-            condition.outputs[0]
+            condition.holds
         );
     }
     let lines = |lines: &[String]| format!("{chosen}{}", indented(lines));

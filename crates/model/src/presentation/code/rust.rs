@@ -37,9 +37,9 @@ pub(super) fn written(program: &Program) -> String {
     for (k, condition) in conditions.iter().enumerate() {
         let _ = write!(
             chosen,
-            "    {{\n{}    s[{k}] = if {} > 0.0 {{ 1.0 }} else {{ 0.0 }};\n    }}\n",
+            "    {{\n{}    s[{k}] = if {} {{ 1.0 }} else {{ 0.0 }};\n    }}\n",
             indented(&condition.lines),
-            condition.outputs[0]
+            condition.holds
         );
     }
     if !conditions.is_empty() {
