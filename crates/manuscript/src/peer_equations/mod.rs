@@ -124,20 +124,28 @@ impl PeerEquations {
         }
         let rows: Vec<Sym> = rates.equations.iter().map(|row| row.substitute(&rates.values)).collect();
         let without_multipliers_in = |row: Sym| rates.multipliers.iter().all(|z| !row.symbols_of().contains(z));
+        let vanishes_there = |row: Sym| matches!(vanishes(&held, row, &[]), Outcome::Zero(_) | Outcome::Identified(_));
         let is_constraint = |row: Sym| {
             let reduced = held.reduced(row);
-            let vanishes_there = || matches!(vanishes(&held, row, &[]), Outcome::Zero(_) | Outcome::Identified(_));
-            // an identity test also recognises roots that are written differently
+            // roots that are written differently have one value in an identity test alone
             let is_identity = || matches!(identified(&[reduced]), Identity::Identified { .. });
-            reduced == Sym::ZERO || (generic_rank(&[vec![reduced]]) == 0 && vanishes_there()) || is_identity()
+            reduced == Sym::ZERO || (generic_rank(&[vec![reduced]]) == 0 && vanishes_there(row)) || is_identity()
         };
-        let (differentiated, others): (Vec<usize>, Vec<usize>) =
-            (0..rows.len()).filter(|&row| without_multipliers_in(rows[row])).partition(|&row| is_constraint(rows[row]));
-        // the accelerations are those of their equations, since they were eliminated from the rows
+        // by their own letters, which the rows no longer hold
         let accelerations_of = |&row: &usize| by(rates.equations[row], &rates.accelerations);
-        let held_by = rank(differentiated.iter().map(accelerations_of).collect());
-        let theirs = rates.accelerations.len().saturating_sub(held_by);
-        // an undecided row may be a constraint too
+        // degrees of freedom, and rows without multipliers that are no constraints
+        let split = |is_constraint: &dyn Fn(Sym) -> bool| {
+            let free = (0..rows.len()).filter(|&row| without_multipliers_in(rows[row]));
+            let (differentiated, others): (Vec<usize>, Vec<usize>) = free.partition(|&row| is_constraint(rows[row]));
+            let held_by = rank(differentiated.iter().map(accelerations_of).collect());
+            (rates.accelerations.len().saturating_sub(held_by), others)
+        };
+        let (mut theirs, mut others) = split(&is_constraint);
+        // the product of a constraint and a factor vanishes by a normal form on the constraints, which takes longer
+        if theirs > freedom {
+            (theirs, others) = split(&|row| is_constraint(row) || vanishes_there(row));
+        }
+        // a row that was not decided may be a constraint as well
         let is_open = |row: &&usize| !matches!(vanishes(&held, rows[**row], &[]), Outcome::NonZero(_));
         let open = if theirs > freedom { others.iter().filter(is_open).count() } else { 0 };
         let projected = Projected { trace, held: &held, free: &free, slopes: &slopes };

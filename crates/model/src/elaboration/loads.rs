@@ -218,13 +218,12 @@ impl Elaborator<'_> {
     /// Returns a description of the existing column of a run with this name.
     fn column_of(&self, name: &str) -> Option<&'static str> {
         let is_state = || self.model.state_names().iter().any(|(own, _)| own == name);
-        match name {
-            _ if column_of_every_run(name).is_some() => column_of_every_run(name),
+        column_of_every_run(name).or_else(|| match name {
             _ if self.quasi_velocity_of(name).is_some() => Some("a quasi-velocity"),
             _ if self.model.outputs.iter().any(|output| output.name == name) => Some("another output"),
             _ if is_state() => Some("a coordinate or a speed"),
             _ => None,
-        }
+        })
     }
 
     pub(super) fn start(&mut self) {

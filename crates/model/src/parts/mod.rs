@@ -17,7 +17,7 @@ pub use laws::UnsolvedLaw;
 pub use loads::{Along, Energies, Force, GeneralisedForce, Torque};
 pub use regulator::Regulator;
 
-use crate::arena::{Arena, AtZero, Number, Part, Scalar};
+use crate::arena::{Arena, Number, Scalar};
 use crate::{Fault, ScalarId, Source, VectorId};
 use std::borrow::Cow;
 use std::ops::Range;
@@ -316,13 +316,7 @@ impl Model {
         }
     }
 
-    /// Whether the condition of a switch holds where its expression is zero, as `a <= b` does and `a < b` does not.
-    pub fn holds_at_zero(&self, switch: usize) -> bool {
-        let is = |case: AtZero| self.arena.parts.contains(&Part::Scalar(Scalar::Switch(switch, case)));
-        is(AtZero::On) && !is(AtZero::Off)
-    }
-
-    /// Returns the model with all equations of its constraints, including redundant ones.
+    /// The model with every equation of its constraints, those that follow from others too.
     #[must_use]
     pub fn whole(&self) -> Self {
         let mut whole = self.clone();
