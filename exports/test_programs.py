@@ -87,6 +87,47 @@ def test_rust(workbench, scene):
     near(np.array(subprocess.run([program], capture_output=True, text=True, check=True).stdout.split(), float), own)
 
 
+# conditions within conditions, of which two have one expression
+NESTED = """title = "A mass between springs"
+[parameters]
+m = "2 kg"
+F = "3 N"
+[coordinates]
+x = "m"
+[energies]
+kinetic = "m*x'^2/2"
+[[force]]
+along = "x"
+is = "-F*if(sign(x)*x <= (1 m)*cos(x/(1 m)), x/(1 m), 2*sign(x)) - F*table(x, (0 m), 0, (2 m), 1) + if(t >= (1 s), F, 0)"
+[start]
+x = "0.5 m"
+[run]
+span = "4 s"
+"""
+
+
+@pytest.mark.parametrize("scene", [*SCENES, NESTED])
+def test_programs_are_compiled_without_warnings(workbench, scene):
+    path = workbench.export(scene, "--c", "system.c")
+    subprocess.run(["cc", "-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", "-c", "-o", workbench.folder / "system.o", path], check=True)
+    path = workbench.export(scene, "--rust", "system.rs")
+    subprocess.run(["rustc", "--crate-type", "lib", "--emit", "metadata", "-D", "warnings", "-o", workbench.folder / "system.rmeta", path], check=True)
+
+
+def test_nested_conditions_hold_in_every_program(workbench):
+    own, path = workbench.run(NESTED), workbench.export(NESTED, "--c", "system.c")
+    path.write_text(path.read_text() + C % (STEPS, float(own["time"][-1])))
+    program = workbench.folder / "system"
+    subprocess.run(["cc", "-std=c99", "-O2", "-o", program, path, "-lm"], check=True)
+    found = np.array(subprocess.run([program], capture_output=True, text=True, check=True).stdout.split(), float)
+    # steps of constant length go over jumps of the force
+    assert np.allclose(found, last(own, 2), rtol=0, atol=1e-3)
+    system = module(workbench.export(NESTED, "--python", "system_python.py"))
+    y = np.array([0.7, -0.2])
+    # at the instant of a condition with equality it holds
+    assert system.rates(1.0, y)[1] == system.rates(1.5, y)[1] != system.rates(0.5, y)[1]
+
+
 @pytest.mark.parametrize("scene", SCENES)
 def test_python(workbench, scene):
     own, path = workbench.run(scene), workbench.export(scene, "--python", "system_python.py")
