@@ -67,6 +67,17 @@ def test_dask_runs_parts_again_whose_worker_is_killed():
     assert same(members, whole)
 
 
+class Client:
+    """A client of Dask: no executor, but it has one."""
+
+    def submit(self, *_):
+        raise AssertionError("nothing is handed to it")
+
+    def get_executor(self):
+        raise AssertionError("nobody asks for it")
+
+
+
 class Slow(Executor):
     """An executor that never begins."""
 
@@ -79,8 +90,9 @@ def test_parts_obey_their_time_and_refuse_what_is_no_executor():
     with pytest.raises(TimeoutError, match="ensemble"):
         model().ensemble(10, VARY, executor=Slow(), seconds=0.2)
     assert time.monotonic() - begin < 5
-    with pytest.raises(TypeError, match="an executor of concurrent.futures is accepted"):
-        model().ensemble(10, VARY, executor="four")
+    for other in ("four", Client()):
+        with pytest.raises(TypeError, match="an executor of concurrent.futures is accepted"):
+            model().ensemble(10, VARY, executor=other)
     with pytest.raises(ValueError, match="`parts`"):
         model().ensemble(10, VARY, executor=Slow(), parts=0)
     with pytest.raises(ValueError, match="`parts` is for an `executor`"):

@@ -7,11 +7,18 @@ use symbolic::Dimension;
 /// The name of the column with the work of all loads.
 pub(crate) const WORK: &str = "work";
 
+/// Before the name of an energy where the model has a coordinate of this name.
+const OF_RUN: &str = "run.";
+
 /// The names of the columns: coordinates, speeds, outputs, kinetic and potential energy.
 pub(crate) fn columns(model: &Model) -> Vec<String> {
-    let state = model.state_names().into_iter().map(|(name, _)| name);
     let outputs = model.outputs.iter().map(|output| output.name.clone());
-    state.chain(outputs).chain(["kinetic_energy".to_owned(), "potential_energy".to_owned()]).collect()
+    let mut columns: Vec<String> = model.state_names().into_iter().map(|(name, _)| name).chain(outputs).collect();
+    for energy in ["kinetic_energy", "potential_energy"] {
+        let is_taken = columns.iter().any(|name| name == energy);
+        columns.push(if is_taken { format!("{OF_RUN}{energy}") } else { energy.to_owned() });
+    }
+    columns
 }
 
 /// The coherent SI unit of a quantity with the given unit: m for mm, rad for deg. Runs give values in this unit.
@@ -56,7 +63,8 @@ pub(crate) fn rate_unit(unit: &str) -> String {
 pub fn unit_of(model: &Model, name: &str) -> String {
     let rate = |unit: &str| unit.strip_suffix("/s").map_or_else(|| coherent(unit), |of| rate_unit(&coherent(of)));
     let state = model.state_names().into_iter().find_map(|(own, unit)| (own == name).then(|| rate(&unit)));
-    let energy = || ["kinetic_energy", "potential_energy", WORK].contains(&name).then(|| "J".to_owned());
+    let plain = name.strip_prefix(OF_RUN).unwrap_or(name);
+    let energy = || ["kinetic_energy", "potential_energy", WORK].contains(&plain).then(|| "J".to_owned());
     let output = || {
         let output = model.outputs.iter().find(|output| output.name == name)?;
         Some(coherent(&output.dimension.to_string()))

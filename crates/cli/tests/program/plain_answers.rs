@@ -163,3 +163,17 @@ fn a_motion_that_grows_without_bound_has_no_singular_coordinates() {
     std::fs::remove_file(&file).expect("it is there");
     assert!(told.contains("growth without bound") && !told.contains("singular chart"), "{told}");
 }
+
+#[test]
+fn energies_have_their_unit_and_a_name_of_their_own() {
+    let path = crate::temporary("named_energy.toml");
+    let scene = "title = \"A mass on a spring\"\n[coordinates]\nkinetic_energy = \"m\"\n[energies]\nkinetic = \"(1 kg)*kinetic_energy'^2/2\"\n\
+        potential = \"(1 N/m)*kinetic_energy^2/2\"\n[start]\nkinetic_energy = \"1 m\"\n[run]\nspan = \"2 s\"\n";
+    std::fs::write(&path, scene).expect("it is written");
+    let output = crate::program(&["run", &path.display().to_string()]).output().expect("the program starts");
+    std::fs::remove_file(&path).expect("it is there");
+    let told = text(&output);
+    for part in ["  kinetic_energy     -0.416", " m\n", "  run.kinetic_energy ", " J\n", "0.500000000 J, changed by at most"] {
+        assert!(told.contains(part), "{part}\n{told}");
+    }
+}

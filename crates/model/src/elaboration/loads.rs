@@ -1,6 +1,5 @@
 //! Gravity, energies, constraints, outputs and the start. Forces and torques are in the module `forces`.
 
-use super::names::column_of_every_run;
 use super::one_sided_loads::Load;
 use super::rates::accelerated;
 use super::value::Value;
@@ -218,12 +217,14 @@ impl Elaborator<'_> {
     /// Returns a description of the existing column of a run with this name.
     fn column_of(&self, name: &str) -> Option<&'static str> {
         let is_state = || self.model.state_names().iter().any(|(own, _)| own == name);
-        column_of_every_run(name).or_else(|| match name {
+        match name {
+            "time" => Some("the column of times"),
+            "kinetic_energy" | "potential_energy" => Some("an energy of the run"),
             _ if self.quasi_velocity_of(name).is_some() => Some("a quasi-velocity"),
             _ if self.model.outputs.iter().any(|output| output.name == name) => Some("another output"),
             _ if is_state() => Some("a coordinate or a speed"),
             _ => None,
-        })
+        }
     }
 
     pub(super) fn start(&mut self) {

@@ -24,23 +24,7 @@ pub(super) fn defined_twice(source: &Source, name: &Text) -> Fault {
     Fault::at(name.span(), format!("`{}` is defined twice", name.text), label, "each name stands for one thing")
 }
 
-/// The column that every run has under a name, which no other column has.
-pub(super) fn column_of_every_run(name: &str) -> Option<&'static str> {
-    match name {
-        "time" => Some("the column of times"),
-        "kinetic_energy" | "potential_energy" => Some("an energy of the run"),
-        _ => None,
-    }
-}
-
-/// The fault of a coordinate or a quasi-velocity that would share its name with such a column.
-pub(super) fn names_a_column(name: &Text) -> Option<Fault> {
-    let column = column_of_every_run(&name.text)?;
-    let title = format!("`{}` is the name of {column}", name.text);
-    Some(Fault::at(name.span(), title, "a run would have two columns of this name", "another name is accepted"))
-}
-
-/// Removes repeated faults about one unknown name.
+/// Leaves of several faults about one name that is not known the first.
 pub(super) fn once_for_each_name(faults: &mut Vec<Fault>) {
     let mut told: FxHashSet<String> = FxHashSet::default();
     faults.retain(|fault| match fault.title.split_once(" is called ") {

@@ -1,6 +1,5 @@
 //! Parameters, coordinates, definitions, frames and points.
 
-use super::names::names_a_column;
 use super::order::Definition;
 use super::value::Value;
 use super::{Elaborator, MOST, Named, Sound, mismatch};
@@ -31,7 +30,6 @@ impl Elaborator<'_> {
             let found = self.under("coordinates", &entry.name, found);
             let Some((dimension, unit)) = self.kept_as(&entry.name, found) else { continue };
             self.judge_unit(&entry.name.text, &entry.value, &unit);
-            self.faults.extend(names_a_column(&entry.name));
             let (name, at) = (entry.name.text.clone(), entry.name.span());
             self.model.coordinates.push(Coordinate { name, dimension, unit, at });
             let letter = self.scalar(Scalar::Coordinate(self.model.coordinates.len() - 1), Some(dimension));
@@ -187,7 +185,6 @@ impl Elaborator<'_> {
             }
             Definition::Speed(at) => {
                 let entry = &self.source.speeds[at];
-                self.faults.extend(names_a_column(&entry.name));
                 let found = self.quasi_velocity(entry);
                 let found = self.under("speeds", &entry.name, found);
                 if let Some(is) = self.kept_as(&entry.name, found) {

@@ -46,7 +46,8 @@ def in_parts(model: Model, executor: Executor, parts: int | None, threads: int, 
 
 def _in_parts(model: Model, executor: Executor, parts: int | None, threads: int, seconds: float | None) -> dict[str, Any]:
     parts = None if parts is None else whole("parts", parts)
-    if not callable(getattr(executor, "submit", None)):
+    # a client of Dask has `submit` too, whose futures are of another kind
+    if not callable(getattr(executor, "submit", None)) or callable(getattr(executor, "get_executor", None)):
         raise TypeError(f"`executor` is {shown(executor)}; an executor of concurrent.futures is accepted, such as ProcessPoolExecutor() or client.get_executor() of Dask")
     end = time.monotonic() + (LONGEST if seconds is None else seconds)
     members = model._native.ensemble_members()

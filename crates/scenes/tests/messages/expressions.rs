@@ -185,14 +185,6 @@ fn a_fault_hides_no_fault_of_another_text_or_name() {
 }
 
 #[test]
-fn a_coordinate_has_no_name_of_a_column_of_every_run() {
-    for name in ["time", "kinetic_energy", "potential_energy"] {
-        let named = format!("theta = \"rad\"\n{name} = \"m\"");
-        one(&[("theta = \"rad\"", &named)], &[&format!("`{name}` is the name of"), "two columns of this name"]);
-    }
-}
-
-#[test]
 fn an_energy_of_accelerations_is_told_before_its_dimension() {
     for (name, most) in [("kinetic", "coordinates, speeds and the time"), ("potential", "coordinates and the time;")] {
         let energy = format!("[energies]\n{name} = \"m*l^2*theta''^2/2\"\n\n[outputs]");
