@@ -28,8 +28,7 @@ impl LinearEquations {
                 crate::warn(&choice);
             }
             let equations = VariedEquations::of(&model, &inputs);
-            let equations =
-                equations.map_err(|why| without_law(&model, &why, "there are no linear equations"))?;
+            let equations = equations.map_err(|why| without_law(&model, &why, "there are no linear equations"))?;
             let found = equations.about(time, &state).map_err(|why| why.at(&model, time))?;
             Ok(LinearEquations { found, names: Names::of(&model, &equations) })
         })?;

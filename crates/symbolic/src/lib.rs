@@ -64,6 +64,9 @@ pub use formulas::Formulas;
 pub use fraction::Fraction;
 pub use graph::{Node, Sym, apart};
 pub use parse::{NotExpression, Reason, Vocabulary, parse, parse_in};
-pub use prove::{Decision, Hypotheses, Identity, IdentityTest, NormalForm, NotNormal, Proof, Refused, Witness, decide, decide_modulo, identified, normal, differs_from_zero};
+pub use prove::{
+    Decision, Hypotheses, Identity, IdentityTest, NormalForm, NotNormal, Proof, Refused, Witness, decide,
+    decide_modulo, differs_from_zero, identified, normal,
+};
 pub use sym::symbols;
 pub use tape::{Algebraic, Language, Operation, Program, Propagation, Register, Source, Statements, Tape, Untapeable};

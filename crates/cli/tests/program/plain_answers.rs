@@ -173,7 +173,9 @@ fn energies_have_their_unit_and_a_name_of_their_own() {
     let output = crate::program(&["run", &path.display().to_string()]).output().expect("the program starts");
     std::fs::remove_file(&path).expect("it is there");
     let told = text(&output);
-    for part in ["  kinetic_energy     -0.416", " m\n", "  run.kinetic_energy ", " J\n", "0.500000000 J, changed by at most"] {
+    for part in
+        ["  kinetic_energy     -0.416", " m\n", "  run.kinetic_energy ", " J\n", "0.500000000 J, changed by at most"]
+    {
         assert!(told.contains(part), "{part}\n{told}");
     }
 }

@@ -126,11 +126,11 @@ pub fn unit(text: &SystemText, identifier: &str, origin: &str, tool: &str) -> Re
         value,
     };
     let named = |name: &str, value: f64| variable(name, unit_of(model, name), String::new(), value);
-    let states =
-        model.state_names().into_iter().zip(start).map(|((name, _), value)| named(&name, *value));
-    let parameters = model.parameters.iter().map(|each| {
-        variable(&each.name, each.unit.clone(), each.written.clone(), each.value.unwrap_or_default())
-    });
+    let states = model.state_names().into_iter().zip(start).map(|((name, _), value)| named(&name, *value));
+    let parameters = model
+        .parameters
+        .iter()
+        .map(|each| variable(&each.name, each.unit.clone(), each.written.clone(), each.value.unwrap_or_default()));
     let open = model.inputs.iter().filter(|input| input.value.is_none());
     let line = |at: usize| 1 + text.text.get(..at).unwrap_or_default().matches('\n').count();
     let conditions = model.switch_places.iter().enumerate().map(|(place, at)| Variable {
@@ -157,7 +157,9 @@ pub fn unit(text: &SystemText, identifier: &str, origin: &str, tool: &str) -> Re
         parameters: parameters.collect(),
         inputs: open.map(|input| variable(&input.name, coherent(&input.unit), String::new(), 0.0)).collect(),
         outputs: model.outputs.iter().map(|output| named(&output.name, 0.0)).collect(),
-        locals: ["kinetic_energy", "potential_energy"].map(|name| variable(name, "J".to_owned(), String::new(), 0.0)).to_vec(),
+        locals: ["kinetic_energy", "potential_energy"]
+            .map(|name| variable(name, "J".to_owned(), String::new(), 0.0))
+            .to_vec(),
         indicators: conditions.chain(events).collect(),
         source,
     })

@@ -39,12 +39,8 @@ pub fn casadi(trace: &Trace<'_>, form: &MatrixForm, start: &[f64]) -> Result<Str
         text += "    s = []\n";
     }
     for condition in conditions {
-        let _ = writeln!(
-            text,
-            "{}    s.append(casadi.if_else({}, 1.0, 0.0))",
-            indented(&condition.lines),
-            condition.holds
-        );
+        let _ =
+            writeln!(text, "{}    s.append(casadi.if_else({}, 1.0, 0.0))", indented(&condition.lines), condition.holds);
     }
     let column = |outputs: &[String]| format!("casadi.vertcat({})", outputs.join(", "));
     // the outputs are listed by rows, while CasADi fills matrices by columns

@@ -28,12 +28,7 @@ pub(super) fn written(program: &Program) -> String {
         chosen += "    s = []\n";
     }
     for condition in conditions {
-        let _ = writeln!(
-            chosen,
-            "{}    s.append(1.0 if {} else 0.0)",
-            indented(&condition.lines),
-            condition.holds
-        );
+        let _ = writeln!(chosen, "{}    s.append(1.0 if {} else 0.0)", indented(&condition.lines), condition.holds);
     }
     let lines = |lines: &[String]| format!("{chosen}{}", indented(lines));
     let array = |outputs: &[String]| format!("np.array([{}])", outputs.join(", "));
