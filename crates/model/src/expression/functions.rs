@@ -18,8 +18,8 @@ pub struct NamedFunction {
 const NUMBER: &str = "a scalar without dimension";
 const ANGLE: &str = "an angle";
 const ONE: &str = "one scalar";
-const IN_OUTPUTS: &str = "a body, in `[outputs]` alone";
-const CONTACT: &str = "a named contact, in `[outputs]` alone";
+const IN_OUTPUTS: &str = "a body, only in `[outputs]`";
+const CONTACT: &str = "a named contact, only in `[outputs]`";
 
 const fn function(name: &'static str, usage: &'static str, of: &'static str, gives: &'static str) -> NamedFunction {
     NamedFunction { name, usage, of, gives, example: "" }
@@ -109,13 +109,13 @@ pub const FUNCTIONS: [NamedFunction; 37] = [
         "rate",
         "rate(e) of a scalar, rate(v in B) of a vector",
         "a scalar, or a vector `in` a frame, of coordinates, speeds and the time",
-        "the derivative by the time",
+        "the derivative with respect to the time",
     )
     .such_as("rate(x*sin(a))"),
     function(
         "reaction",
         ONE,
-        "a named constraint, or this and the number of an entry of its list; a contact, a diode or a freewheel, in `[outputs]` alone",
+        "a named constraint, or this and the number of an entry of its list; a contact, a diode or a freewheel, only in `[outputs]`",
         "the reaction: a scalar, or a vector of a constraint that is a vector",
     )
     .such_as("reaction(path)"),
@@ -152,14 +152,14 @@ pub const FUNCTIONS: [NamedFunction; 37] = [
     function(
         "momentum",
         "momentum(theta) of a coordinate, dT/d(theta'); momentum(F.wx) of a free frame, dT/d(F.wx); momentum(bob) of a body, a vector",
-        "a coordinate, a component `F.wx` of a free frame's angular velocity, or a body, in `[outputs]` alone",
-        "the derivative of the kinetic energy by the rate of the coordinate, or by the component; of a body the mass times the velocity of its centre of mass, a vector",
+        "a coordinate, a component `F.wx` of a free frame's angular velocity, or a body, only in `[outputs]`",
+        "the derivative of the kinetic energy with respect to the rate of the coordinate, or to the component; of a body the mass times the velocity of its centre of mass, a vector",
     )
     .such_as("momentum(a)"),
     function(
         "angular_momentum",
         "angular_momentum(disc) about the centre of mass, angular_momentum(disc, P) about a point",
-        "a body, or a body and a point, in `[outputs]` alone",
+        "a body, or a body and a point, only in `[outputs]`",
         "the angular momentum about the centre of mass or about the point, a vector; velocities are those seen from the ground",
     )
     .such_as("angular_momentum(load, O) . N.z"),
