@@ -13,13 +13,21 @@ use std::fmt::Display;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
-/// Derives, proves and runs equations of motion.
+/// Derives and runs equations of motion, proves that principles agree, and judges the claims of papers.
 ///
 /// Without a command the report is made: every paper's statements are judged, every scene is run and charted, and all of it is
 /// written into one self-contained page.
 ///
-/// Exit codes: 0 all is well; 1 a run, or every member of an ensemble, stopped before its end, or the time limit was reached; 2 the input
-/// is not acceptable; 130 Ctrl-C ended it. At the time limit, or at Ctrl-C, `run`, `ensemble`, `chart` and `reference` keep their results
+/// Exit codes: 0: success. 1: the result is negative or incomplete. 2: the input is not acceptable. 130: Ctrl-C ended the command.
+///
+/// Exit code 1 in detail: the time limit was reached; a run stopped before its end, has undefined values, or failed a check; `ensemble`: every
+/// member stopped; `ensemble --missing`: members are missing; `judge`, `ledger`: a verdict is not the expected one; `prove`: a principle does
+/// not agree, a comparison is undecided, or terms are missing with --mistake; `conform`: a law is violated or undecided; `regimes`: the
+/// regimes at the start are not determined; `failures`: theory and runs disagree, or a scene was not measured; `choose`: no method meets the
+/// tolerance; `reference`: two methods do not agree; `stationary`, `motor`, `linearise`, `numerical-stability`: parts of the search are
+/// undecided; the report: a file could not be read or computed.
+///
+/// At the time limit, or at Ctrl-C, `run`, `ensemble`, `chart` and `reference` keep their results
 /// so far; a second Ctrl-C ends them at once.
 ///
 /// Output files are written atomically. The extension determines the format: .csv, .npz, .svg, .html, .reference or .fmu. Missing folders
@@ -35,8 +43,8 @@ pub struct Arguments {
     /// Results and errors only: no progress, no names of files that were written
     #[arg(long, short, global = true)]
     pub quiet: bool,
-    /// Time limit in seconds, after which the command ends and keeps its results so far; the default is 300, for `chart` 30, and none for
-    /// `ensemble`, `watch`, `review` without a file and the report
+    /// Time limit in seconds, after which the command ends and keeps its results so far. The default is 300, and 30 for `chart`; `ensemble`,
+    /// `watch`, `review` without a file, and the report have no limit by default
     #[arg(long, global = true, value_name = "N", value_parser = whole::<u32>(1..=86_400))]
     pub seconds: Option<u32>,
 }
@@ -93,7 +101,7 @@ pub enum Command {
     Choose(choose::Args),
     /// Computes a reference solution of a scene, to the digits on which two methods agree, and keeps it in a file
     Reference(reference::Args),
-    /// Runs a scene many times; the table [ensemble] of the scene names the values that vary. Started again, it continues
+    /// Runs a scene many times; the table [ensemble] of the scene names the values that vary. If the command is repeated, it continues the table
     Ensemble(ensemble::Args),
     /// Every claim of the papers with its verdict
     Ledger(ledger::Args),

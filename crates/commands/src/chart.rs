@@ -45,7 +45,7 @@ pub struct Args {
     /// The unit of the horizontal axis; the default is evaluations
     #[arg(long, value_enum, requires = "out")]
     pub x: Option<Axis>,
-    /// Another model of the motor, made of the scene's data
+    /// Replaces the motor by another model; its data are computed from the scene
     #[arg(long)]
     pub model: Option<String>,
     /// For gyrostats: the equations in the principal axes of A (first) or of A* (second)

@@ -15,10 +15,11 @@ use studies::scene::Scene;
 /// Arguments of `conform`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// A motor by its name, with the data of a small motor; or a scene, a TOML file, whose motor or whose system may be defined in it
+    /// A motor by its name, with the data of a small motor; or a scene, a TOML file, with a built-in motor, or with a motor or system
+    /// written in the file
     #[arg(value_name = "MACHINE|SCENE.toml")]
     pub motor: String,
-    /// Another model of the motor, made of the scene's data
+    /// Replaces the motor by another model; its data are computed from the scene
     #[arg(long)]
     pub model: Option<String>,
     /// Output format; JSON is one object: motor, checks, each with check, verdict, says (a sentence)

@@ -13,12 +13,20 @@ const COMPILER: &str = "cc";
 
 /// The last part of the long help.
 pub const HELP: &str = "\
-A unit of FMI 3.0, or of FMI 2.0, is for model exchange and for co-simulation. Its parameters can be changed, its inputs are those of the file that have no
-value, its events are those of the file and the conditions of `if`, `sign`, `abs`, `min`, `max` and `table`; it has directional derivatives.
-The unit contains its sources, and a binary for this platform if the C compiler `cc` is found.
+A unit of FMI 3.0 or 2.0 serves model exchange and co-simulation:
 
-Not exported, with an error at the line of the file: contacts, diodes, laws that are implicit; by --fmu and --modelica dry friction too, which
-may stick.";
+  * its parameters can be changed;
+  * its inputs are the inputs of the file that have no value;
+  * its events are those of the file and the conditions
+    of `if`, `sign`, `abs`, `min`, `max` and `table`;
+  * it has directional derivatives;
+  * it contains its sources, and a binary for this platform
+    if the C compiler `cc` is found.
+
+Not exported, with an error at the line of the file:
+
+  * contacts, diodes, implicit laws;
+  * with --fmu and --modelica also dry friction, since the body may stick.";
 
 /// Arguments of `export`.
 #[derive(clap::Args, Debug)]

@@ -18,8 +18,8 @@ pub struct Args {
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
     /// A coordinate as an expression of the time and of parameters, such as "theta = 0.5*sin(w*t)"; a free frame by rotations, such as
-    /// "F = w*t about z, then (10 deg) about x"; once for each degree of freedom. Also a current, "motor.i_f = (2 A)" or "id = 0",
-    /// that the motion does not determine
+    /// "F = w*t about z, then (10 deg) about x"; once for each degree of freedom. If the motion does not determine a current, prescribe it as well:
+    /// "motor.i_f = (2 A)" or "id = 0"
     #[arg(long = "motion", value_name = "Q = EXPRESSION", required = true, value_parser = motion)]
     pub motions: Vec<(String, String)>,
     /// A parameter or an input that is unknown, such as a force; may be repeated

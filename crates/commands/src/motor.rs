@@ -22,7 +22,7 @@ pub struct Args {
     /// The scene, a TOML file with a synchronous motor, on a bench or in a gyrostat
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// Another model of the motor, made of the scene's data
+    /// Replaces the motor by another model; its data are computed from the scene
     #[arg(long)]
     pub model: Option<String>,
     /// Output format

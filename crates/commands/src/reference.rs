@@ -27,7 +27,7 @@ pub struct Args {
     /// Replaces the file even if `reference` did not write it
     #[arg(long)]
     pub force: bool,
-    /// The end in seconds, earlier than that of the scene, for a scene whose motion ends early
+    /// The end in seconds, earlier than that of the scene, for a scene whose motion ends before its span
     #[arg(long, value_name = "T")]
     pub until: Option<f64>,
 }

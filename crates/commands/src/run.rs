@@ -29,23 +29,24 @@ pub struct Args {
     /// Method of integration, such as dormand_prince_8 or runge_kutta_4:20000
     #[arg(long, value_parser = method)]
     pub method: Option<Method>,
-    /// Allowed error of a step: relative to the state, plus the same number in SI units
+    /// Allowed error of each state x in a step: T*|x| + T, in SI units
     #[arg(long = "tol", value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
-    /// Another model of the motor, made of the scene's data, or a reduced model, as `choose` names it: for a system with [coordinates]
-    /// "without P", "rigid P", "quasi-steady X", "fixed X", "unfollowed X", with a parameter P or a state X; the handbook's chapter on smaller
-    /// models explains them
+    /// Replaces the motor by another model; its data are computed from the scene. Or a reduced model, as `choose` names it: for a system with
+    /// [coordinates] "without P", "rigid P", "quasi-steady X", "fixed X", "equal X=Y", "linear", "unfollowed X" (leaves out the equation of X),
+    /// with a parameter P or states X, Y; the handbook's chapter on smaller models explains them
     #[arg(long)]
     pub model: Option<String>,
-    /// For gyrostats: the equations in the principal axes of the inertia tensor A, without the rotor's inertia (first), or A*, with it
-    /// (second); results are in the axes of the data
+    /// For gyrostats, the axes of the equations; first: principal axes of the inertia tensor A (rotor's inertia left out); second: principal
+    /// axes of A* (rotor's inertia included). Results are in the axes of the data
     #[arg(long)]
     pub form: Option<Axes>,
     /// Writes the trajectory as a table, or as NumPy arrays, with the scene, its hash, the method and the tolerance. Each column has its unit:
     /// time, states, the rotor's speed; for a system with [coordinates] time, states, outputs, energies, work
     #[arg(long, value_name = "FILE.csv|FILE.npz")]
     pub out: Option<PathBuf>,
-    /// Writes the transition matrix as a table: a row for each state at the end, a column for each at the start
+    /// Writes the transition matrix, the derivatives of the end state with respect to the start state, as a table: a row for each state at the
+    /// end, a column for each state at the start
     #[arg(long, value_name = "FILE.csv")]
     pub transition: Option<PathBuf>,
     /// Draws the run on one sheet: its columns against time, each with its unit, quantities that should stay zero (the change of the
@@ -69,7 +70,7 @@ pub fn help() -> String {
     let column = |name: &str, what: &str| format!("  {name:<22} {what}\n");
     let methods: String = methods::list().map(|(name, what)| column(&name, what)).collect();
     let models: String = catalogue::entries().into_iter().map(|entry| column(entry.name, entry.summary)).collect();
-    format!("Methods:\n{methods}\n  {SPLITTINGS}\n\nModels:\n{models}")
+    format!("Methods:\n{methods}\n  {SPLITTINGS}\n\nModels of motors, values of --model:\n{models}")
 }
 
 fn method(text: &str) -> Result<Method, String> {

@@ -35,7 +35,7 @@ impl<P: Base> Machine<P> for FreeRotor<P> {
 /// The entry in the catalogue of motors.
 pub const ENTRY: Entry = Entry {
     name: "free_rotor",
-    summary: "free rotor: by inertia, without friction",
+    summary: "free rotor: turns by inertia alone, without friction",
     data: &[],
     counts: &[],
     write: |given| given.laws(&FreeRotor::default()),

@@ -39,22 +39,18 @@ const METHODS: &[(&str, Named, &str)] = &[
         "implicit collocation, order 2s - 1, for stiff scenes",
     ),
     ("gauss", Named::Stages(4, |stages| Method::Gauss { stages }), "implicit collocation, order 2s, symmetric"),
-    ("runge_kutta_4", Named::Steps(|steps| Method::RungeKutta4 { steps }), "classical, so many equal steps"),
-    ("implicit_midpoint", Named::Steps(|steps| Method::ImplicitMidpoint { steps }), "symmetric, so many equal steps"),
+    ("runge_kutta_4", Named::Steps(|steps| Method::RungeKutta4 { steps }), "explicit Runge-Kutta 4, STEPS equal steps"),
+    ("implicit_midpoint", Named::Steps(|steps| Method::ImplicitMidpoint { steps }), "symmetric, STEPS equal steps"),
     (
         "backward_euler",
         Named::Steps(|steps| Method::BackwardEuler { steps }),
-        "implicit, damps stiff parts of the law, the given number of equal steps",
+        "implicit, damps stiff parts of the law, STEPS equal steps",
     ),
-    (
-        "strang",
-        split!(Strang),
-        "splitting of order 2, conserves |v| and x.v to rounding, the given number of equal steps",
-    ),
-    ("blanes_moan_4", split!(BlanesMoan4), "the same of order 4"),
-    ("blanes_moan_6", split!(BlanesMoan6), "the same of order 6"),
-    ("kahan_li_8", split!(KahanLi8), "the same of order 8"),
-    ("euler", Named::Steps(|steps| Method::Euler { steps }), "explicit, so many equal steps"),
+    ("strang", split!(Strang), "splitting of order 2, conserves |v| and x.v to rounding, STEPS equal steps"),
+    ("blanes_moan_4", split!(BlanesMoan4), "splitting of order 4, otherwise as strang"),
+    ("blanes_moan_6", split!(BlanesMoan6), "splitting of order 6, otherwise as strang"),
+    ("kahan_li_8", split!(KahanLi8), "splitting of order 8, otherwise as strang"),
+    ("euler", Named::Steps(|steps| Method::Euler { steps }), "explicit, STEPS equal steps"),
 ];
 
 /// The name and description of every method.

@@ -22,10 +22,11 @@ pub struct Args {
     /// of which the right-hand side and the Jacobian are printed as code
     #[arg(value_name = "SYSTEM|SCENE.toml")]
     pub system: String,
-    /// The principle; the default is the first that applies
+    /// The principle; the default is the first one of this list that applies
     #[arg(long, value_enum)]
     pub principle: Option<PrincipleName>,
-    /// Format of the equations; for a scene, text, LaTeX and MathML show its motor, the other formats its rates and Jacobian
+    /// Format of the equations; for a scene with a built-in motor, text, LaTeX and MathML show the equations of the motor, the other formats the
+    /// rates and the Jacobian of the scene
     #[arg(long, value_enum)]
     pub format: Option<Equations>,
     /// For the code of a gyrostat: the equations in the principal axes of A (first) or of A* (second); the default is the first
@@ -69,6 +70,7 @@ pub enum PrincipleName {
 pub enum Equations {
     /// For reading
     Text,
+    /// LaTeX for a paper
     Latex,
     /// One element for each equation
     Mathml,
@@ -76,7 +78,9 @@ pub enum Equations {
     Sympy,
     /// Code without branches, each common subexpression once; for a system the left sides minus the right sides
     C,
+    /// As c, in Python
     Python,
+    /// As c, in Rust
     Rust,
 }
 

@@ -39,7 +39,7 @@ pub struct Args {
     /// Joins these tables into one table of all members, as a run of all members would have written it
     #[arg(long, value_name = "FILE.csv", num_args = 1.., conflicts_with = "missing")]
     pub merge: Vec<PathBuf>,
-    /// Prints the members that none of these tables has, a range in each line; the exit code is 0 where none is missing, else 1
+    /// Prints the members that none of these tables has, a range in each line; the exit code is 0 if none is missing, else 1
     #[arg(long, value_name = "FILE.csv", num_args = 1.., conflicts_with_all = ["out", "force", "threads"])]
     pub missing: Vec<PathBuf>,
     /// With --merge and --missing: accepts rows of other versions of the program, and of processors that round differently

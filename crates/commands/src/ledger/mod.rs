@@ -18,13 +18,13 @@ use std::path::PathBuf;
 /// Arguments of `ledger`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Claims whose id contains this, such as konosevich2022/eq5.3 or statement3; those whose id begins with it come first
+    /// Only claims whose id contains this, such as konosevich2022/eq5.3 or statement3; those whose id begins with it come first
     #[arg(default_value = "")]
     pub filter: String,
-    /// Claims with this verdict only: refuted, undefined, undecided, proved, identified, enclosed, tested, definition, open
+    /// Only claims with this verdict: refuted, undefined, undecided, proved, identified, enclosed, tested, definition, open
     #[arg(long)]
     pub verdict: Option<String>,
-    /// Text is a page as the tests compare it; JSON has one object a claim: id, paper, equation, verdict, statement,
+    /// Output format; JSON has one object for each claim: id, paper, equation, verdict, statement,
     /// formulas, requires, why, reading, note, counterexample, correction
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

@@ -26,7 +26,7 @@ pub struct Args {
     /// The paper: a file with [letters] and [[claim]], and with the tables of its system or `model`, the name of the system's file
     #[arg(value_name = "PAPER.toml")]
     pub paper: PathBuf,
-    /// Claims whose id contains this, such as cart_pole/eq2
+    /// Only claims whose id contains this, such as cart_pole/eq2
     #[arg(long, default_value = "")]
     pub filter: String,
     /// One object for each claim: id, kind, verdict, printed formula, reading, hypotheses, counterexample, missing terms, corrections
@@ -67,8 +67,8 @@ pub const HELP: &str = r#"A paper's file:
   given = ['m > 0']              # hypotheses; may be left out
   expect = "proved"              # for --test; may be left out
 
-Rates of declared letters are known: \dot{\theta}, \ddot{\theta}. Each line of a display on several lines is one claim. A formula
-with two readings is refused at its place, with the spellings that have one.
+Rates of declared letters are known: \dot{\theta}, \ddot{\theta}. Each line of a display on several lines is one claim.
+A formula that can be read in two ways is refused; the message lists unambiguous spellings.
 
 Where a claim is refuted, the smallest edits of its formula that make it true are printed, each one proved.
 

@@ -33,7 +33,7 @@ pub struct Args {
     pub omega0: Option<f64>,
     #[command(flatten)]
     pub steady: SteadyBox,
-    /// Another model of the motor, made of the scene's data
+    /// Replaces the motor by another model; its data are computed from the scene
     #[arg(long)]
     pub model: Option<String>,
     /// Prints the drift of conserved energies and momenta, by theory and by runs: along the motion from the start, or for oscillations about

@@ -22,8 +22,8 @@ use std::path::PathBuf;
 /// Arguments of `review`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// The file of a system or of a paper, of which equations, steady motions and run, or claims, are compared; the default is the
-    /// reviewed pages of the project
+    /// The file of a system, of which equations, steady motions and the run are compared, or of a paper, of which claims are compared. Without
+    /// a file the project's snapshots are compared: stored outputs with which tests compare the program
     #[arg(value_name = "SCENE.toml|PAPER.toml")]
     pub file: Option<PathBuf>,
     /// The commit of git to compare with, or a file; without a scene or paper, new snapshots (`.snap.new`) are compared with the accepted

@@ -38,17 +38,19 @@ pub struct Args {
     /// Steady motions with this angular velocity about the vertical, rad/s
     #[arg(long, value_name = "W", value_parser = finite, allow_negative_numbers = true, conflicts_with_all = ["momentum", "cone"])]
     pub omega0: Option<f64>,
-    /// Steady motions with this angular momentum about the vertical, N m s; without any of the three options, that of the scene's start
+    /// Steady motions with this angular momentum about the vertical, N m s; without --omega0, --momentum and --cone, the momentum at the
+    /// scene's start
     #[arg(long, value_name = "P", value_parser = finite, allow_negative_numbers = true, conflicts_with = "cone")]
     pub momentum: Option<f64>,
-    /// The number of steady motions for every angular velocity, and the angular velocities at which two merge
+    /// The number of steady motions for every angular velocity, and the angular velocities at which two merge. Named after
+    /// Staude's cone of the axes of steady rotations of a heavy body
     #[arg(long)]
     pub cone: bool,
     /// Given twice: a stability map over two values in SI units, such as load and carrier.centre.3. The map shows the rotation about the rotor's
     /// axis if this is a common principal axis of the bodies, else every steady motion
     #[arg(long, value_name = "DATUM=FROM..TO", value_parser = ranged, num_args = 1, conflicts_with_all = ["momentum", "cone"])]
     pub map: Vec<Ranged>,
-    /// For --map: the rotor's axis points against the weight
+    /// For --map: the rotor's axis points upwards
     #[arg(long, requires = "map")]
     pub upright: bool,
     /// For --map: every steady motion, not only the rotation about the rotor's axis
@@ -69,7 +71,7 @@ pub struct Args {
     /// The number of values for --along; the default is 41, and 24 in each direction of a map
     #[arg(long, value_name = "N", value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(2..=100_000), requires = "along")]
     pub values: Option<usize>,
-    /// Another model of the motor, made of the scene's data
+    /// Replaces the motor by another model; its data are computed from the scene
     #[arg(long)]
     pub model: Option<String>,
     /// Output format

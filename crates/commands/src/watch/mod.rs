@@ -28,7 +28,8 @@ use std::time::Duration;
 /// Arguments of `watch`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// A scene, or a paper with [[claim]]. The page shows it as last saved: equations, verdicts, the run, and errors of the text
+    /// A scene, or a paper with [[claim]]. The page is updated each time the file is saved: equations, verdicts, the run, and errors of
+    /// the text
     #[arg(value_name = "SCENE.toml|PAPER.toml")]
     pub file: PathBuf,
     /// The port of the page on 127.0.0.1; the default is a free port
