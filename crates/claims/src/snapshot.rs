@@ -9,7 +9,10 @@ pub fn render(judged: &[Judged]) -> String {
         .iter()
         .map(|verdict| (verdict, judged.iter().filter(|claim| claim.verdict == *verdict).count()))
         .filter(|(_, count)| *count > 0)
-        .map(|(verdict, count)| format!("{count} {}", verdict.name()))
+        .map(|(verdict, count)| match verdict {
+            Verdict::Definition if count > 1 => format!("{count} definitions"),
+            _ => format!("{count} {}", verdict.name()),
+        })
         .collect();
     let noun = if judged.len() == 1 { "claim" } else { "claims" };
     let mut page = format!("{} {noun}: {}\n", judged.len(), counts.join(", "));

@@ -82,7 +82,7 @@ fn every_number(page: &mut Page, s: &Letters) {
     // the dyad of a bar in terms of its doubled angle
     let t = bar("t");
     let doubled = t + t;
-    page.claim("beyond-damper", "dyad", r"$u u^T = \frac12\left(1 + \begin{pmatrix}\cos2t&\sin2t\\ \sin2t&-\cos2t\end{pmatrix}\right)$ for a bar's direction $u=(\cos t,\sin t)$. Summed over evenly spaced bars, with beyond-damper/sums, $\sum u_nu_n^T = \frac N2\,1$ for every $N\ge3$")
+    page.claim("beyond-damper", "dyad", r"$u u^T = \frac12\left(1 + \begin{pmatrix}\cos2t&\sin2t\\ \sin2t&-\cos2t\end{pmatrix}\right)$ for a bar's direction $u=(\cos t,\sin t)$. Summed over evenly spaced bars, by claim beyond-damper/sums, $\sum u_nu_n^T$ is $\frac N2$ times the unit matrix for every $N\ge3$")
         .in_words()
         .under(&symbolic::Hypotheses::none().on_circle(t))
         .follows([
@@ -159,7 +159,7 @@ fn constant_slip(page: &mut Page, s: &Letters) {
     page.claim(
         "beyond-damper",
         "pulsating",
-        r"At constant $\dot\gamma$ the torque of one bar is $-\frac{a_2^2\dot\gamma}{2(R_2^2+L_2^2\dot\gamma^2)}(R_2+R_2\cos2p+L_2\dot\gamma\sin2p)$, $p=\gamma+t_1$, which pulsates with the double angle about its mean",
+        r"At constant $\dot\gamma$ the torque of one bar is $-\frac{a_2^2\dot\gamma}{2(R_2^2+L_2^2\dot\gamma^2)}(R_2+R_2\cos2p+L_2\dot\gamma\sin2p)$ with $p=\gamma+t_1$. The torque pulsates with the angle $2p$ about its mean",
     )
     .in_words()
     .follows([Equal(

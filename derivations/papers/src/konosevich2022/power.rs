@@ -74,7 +74,7 @@ fn circuits(page: &mut Page, s: &Letters) {
         ("falling-strictly-excitation", r"the excitation's current $x\ne0$", letter("x")),
         ("falling-strictly-bar", r"the bar's current $i_1\ne0$", current(1)),
     ] {
-        page.claim("beyond-power", slug, format!(r"$W = E - \Omega A'p' + c_0\gamma$ falls, $-\dot W > 0$, where {name}. The law is strictly decreasing with the secant $\Delta M_2=-\kappa\dot\gamma$, and one bar stands at any angle (further bars: beyond-power/bar)"))
+        page.claim("beyond-power", slug, format!(r"$W = E - \Omega A'p' + c_0\gamma$ falls, $-\dot W > 0$, where {name}. The law is strictly decreasing, written as $\Delta M_2=-\kappa\dot\gamma$, $\kappa>0$, and one bar stands at any angle (further bars: beyond-power/bar)"))
             .given([secant, letter("R1"), letter("R2"), letter("μ")].map(Positive))
             .given([NonZero(moved)])
             .by_signs([Positive(-decreasing(s, falling(s, 1), secant))]);
@@ -143,7 +143,7 @@ fn balance(page: &mut Page, s: &Letters, slug: &'static str, name: &str, machine
     let (sliding, supply) = (motional_torque(machine, &currents), electrical_power(machine, s.angle(), &currents));
     let says = match is_fed(machine) {
         true => format!(
-            r"{name} has the power balance $M\dot\varphi' + \dot W_m = \Omega(M - \sum c_ki_k) + \dot\gamma\,m + \sum v_ki_k - \sum R_ki_k^2$. Here $W_m$ is the energy of the circuits, $m$ the law of friction and slip, $c_k$ the voltages per speed of brushes or turning axes, and $v_k$ the supply"
+            r"{name} has the power balance $M\dot\varphi' + \dot W_m = \Omega(M - \sum c_ki_k) + \dot\gamma\,m + \sum v_ki_k - \sum R_ki_k^2$. Here $W_m$ is the energy of the circuits, $m$ the law of friction and slip, $c_k$ the motional voltages per unit of speed, and $v_k$ the supply voltages"
         ),
         false => format!(
             r"{name} has the power balance $M\dot\varphi' + \dot W_m = \Omega M + \dot\gamma\,m - \sum R_ki_k^2$, with the energy $W_m$ of the circuits and the law $m$ of friction and slip"

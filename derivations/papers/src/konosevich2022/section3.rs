@@ -93,7 +93,7 @@ fn signs(page: &mut Page, s: &Letters) {
     page.claim(
         "eq3.2",
         "dissipative",
-        r"$\dot\gamma\,\Delta M_2 < 0$ for a strictly decreasing law with the secant $\Delta M_2 = -\kappa\dot\gamma$",
+        r"$\dot\gamma\,\Delta M_2 < 0$ for a strictly decreasing law, written as $\Delta M_2 = -\kappa\dot\gamma$, $\kappa>0$",
     )
     .given([Condition::Positive(secant), Condition::NonZero(s.dgamma)])
     .note("Strictness is needed: a law that is constant between two speeds makes the product zero.")
@@ -103,7 +103,7 @@ fn signs(page: &mut Page, s: &Letters) {
     page.claim(
         "section3-motors",
         "c0-positive",
-        r"$c_0 = -M_2(\Omega) > 0$ for an odd law, $M_2(0)=0$, with the secant $M_2(\Omega) = -\kappa\Omega$",
+        r"$c_0 = -M_2(\Omega) > 0$ for an odd decreasing law, $M_2(0)=0$, written as $M_2(\Omega) = -\kappa\Omega$, $\kappa>0$",
     )
     .given([Condition::Positive(secant), Condition::Positive(s.omega_field)])
     .by_signs([Condition::Positive(
@@ -127,7 +127,7 @@ fn multi_current(page: &mut Page, s: &Letters, bars: u32, slug: &'static str) {
         - s.b0 * gamma.sin
         + friction(s.omega_field);
     let rotor = Line::equation(s.axial * s.ddgamma - moment, s.axial * s.ddgamma, printed);
-    page.claim("eq3.3", slug, format!("The equations of Lagrange and Maxwell give (3.3) for the motor alone with $n_2 = {bars}$, the rotor and the currents"))
+    page.claim("eq3.3", slug, format!("The equations of Lagrange and Maxwell give (3.3), the equations of rotor and currents, for the motor alone with $n_2 = {bars}$"))
         .holds([rotor].into_iter().chain(current_equations(s, bars, &rates)));
     page.claim("eq3.4", slug, format!(r"The torque of the motor with $n_2 = {bars}$ is (3.4), from the fluxes $a_1\cos\gamma$ and $-a_2\sin(\gamma+t_n)$ with any angles $t_n$ (the paper: $-\pi/4+2\pi n/n_2$)"))
         .holds([Line::formula(moment, s.torque, printed)]);
@@ -153,7 +153,7 @@ pub fn current_equations(s: &Letters, bars: u32, rates: &[Sym]) -> Vec<Line> {
 fn asynchronous(page: &mut Page, s: &Letters) {
     let [k, f, kappa] = ["k", "f", "κ"].map(letter);
     let omega = s.omega_field;
-    page.claim("section3-motors", "working-speed", r"$M(0) = k\Omega > 0$ and $-M(\Omega) = \kappa\Omega > 0$ with $M_1(0) = k\Omega$, $M_1(\Omega) = 0$, $M_2(0) = 0$, $M_2(\Omega) = -\kappa\Omega$. By the intermediate value theorem, which is cited, a continuous $M$ then vanishes at a working speed $\Omega' \in (0,\Omega)$")
+    page.claim("section3-motors", "working-speed", r"$M(0) = k\Omega > 0$ and $-M(\Omega) = \kappa\Omega > 0$ with $M_1(0) = k\Omega$, $M_1(\Omega) = 0$, $M_2(0) = 0$, $M_2(\Omega) = -\kappa\Omega$. By the intermediate value theorem (not proved here), a continuous $M$ then vanishes at a working speed $\Omega' \in (0,\Omega)$")
         .given([k, kappa, omega].map(Condition::Positive))
         .note(r"The condition $M_1(0) > -M_2(0)$ of the paper is $M_1(0) > 0$, since an odd law of friction vanishes at rest.")
         .by_signs([Condition::Positive(k * omega), Condition::Positive(kappa * omega)]);
@@ -161,7 +161,7 @@ fn asynchronous(page: &mut Page, s: &Letters) {
     page.claim(
         "section3-motors",
         "linear",
-        r"If the torques are linear in the speed, $\Omega' = k\Omega/(k+f)$ lies between $0$ and $\Omega$, and $-\dot\gamma M > 0$ about $\Omega'$",
+        r"If the torques are linear in the speed, $\Omega' = k\Omega/(k+f)$ lies between $0$ and $\Omega$, and $-\dot\gamma M > 0$ near $\Omega'$",
     )
     .given([k, f, omega].map(Condition::Positive))
     .given([Condition::NonZero(s.dgamma)])

@@ -88,7 +88,7 @@ fn angles(page: &mut Page, s: &Letters) {
     .in_words()
     .given([Condition::Zero(s.b0 * ratio - s.c0)])
     .by_combination([first, second].map(|p| (Condition::Zero(balance(p)), vec![], vec![(0, number(-1, 1))])));
-    page.claim("section6-gamma", "ranges", r"If $0 < r < 1$, so that $C = \sqrt{1-r^2} > 0$, the quadrants follow from $\cos\gamma^{(0)} > 0 > \sin\gamma^{(0)}$ and $\cos\gamma^{(1)} < 0$, $\sin\gamma^{(1)} < 0$")
+    page.claim("section6-gamma", "ranges", r"If $0 < r < 1$, so that $C = \sqrt{1-r^2} > 0$, then $\gamma^{(0)}$ lies in the fourth quadrant and $\gamma^{(1)}$ in the third: $\cos\gamma^{(0)} > 0 > \sin\gamma^{(0)}$ and $\cos\gamma^{(1)} < 0$, $\sin\gamma^{(1)} < 0$")
         .in_words()
         .given([Condition::Positive(cosine), Condition::Positive(ratio)])
         .by_signs([first.cos, -first.sin, -second.cos, -second.sin].map(Condition::Positive));

@@ -24,7 +24,7 @@ fn law(page: &mut Page, s: &RodLetters) {
     page.claim(
         "eq1.20",
         "coulomb",
-        r"Coulomb's law for the contact with the guide is $|R_x| = f|R_y|$, here squared, where $\mu$ is directed against $\dot x$",
+        r"Coulomb's law for the contact of $M$ with its guide is $|R_x| = f|R_y|$, here squared, where $\mu$ is directed against $\dot x$",
     )
     .defines([Line::equation(Sym::ZERO, name_x.powi(2), s.f.powi(2) * name_y.powi(2))]);
     page.claim(

@@ -145,7 +145,7 @@ fn second_kind_equations(page: &mut Page) {
         .follows((0..2).map(|i| Equal(dot(missing, motion.fields[i]), lagrange[i])));
     let [mu1, mu2] = indexed("μ#");
     let names = letters(["Q1", "Q2"]);
-    page.claim("eq1.55", "friction",r"The generalised forces of friction are $Q_i^\tau=\sum_\gamma\mu_i\frac{\partial x_\gamma}{\partial q_i}$, as printed").why(r"The friction (1.52) is not put in, and the masses and the second factor $\frac{\partial x_\gamma}{\partial q_j}$ are missing.")
+    page.claim("eq1.55", "friction",r"As printed, the generalised forces of friction are $Q_i^\tau=\sum_\gamma\mu_i\frac{\partial x_\gamma}{\partial q_i}$").why(r"The friction (1.52) is not put in, and the masses and the second factor $\frac{\partial x_\gamma}{\partial q_j}$ are missing.")
         .fails((0..2).map(|i| {
             let printed = (0..3).fold(Sym::ZERO, |sum, k| sum + [mu1, mu2][i] * motion.fields[i][k]);
             Line::formula(dot(found, motion.fields[i]), names[i], printed)

@@ -28,11 +28,11 @@ fn integral(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "section1.3-integral",
         "exponential",
-        r"The integral is $\operatorname{tg}\frac\theta2=e^{x_1}$ as printed, judged by its rate",
+        r"The paper prints the integral $\operatorname{tg}\frac\theta2=e^{x_1}$ of the constraint of the middle, judged by its rate",
     )
     .why(r"The factor $2/l$ of (1.92) and the constant of integration are missing. The printed exponent has a dimension.")
     .fails([Line::formula(tangent.slope, name, s.dx1 * tangent.value)]);
-    page.claim("section1.3-integral", "exponential-corrected",r"The integral is $\operatorname{tg}\frac\theta2=Ce^{2x_1/l}$, by its rate: $\frac{d}{dt}\operatorname{tg}\frac\theta2=\frac2l\dot x_1\operatorname{tg}\frac\theta2$")
+    page.claim("section1.3-integral", "exponential-corrected",r"The constraint of the middle has the integral $\operatorname{tg}\frac\theta2=Ce^{2x_1/l}$, by its rate: $\frac{d}{dt}\operatorname{tg}\frac\theta2=\frac2l\dot x_1\operatorname{tg}\frac\theta2$")
         .holds([Line::formula(tangent.slope, name, int(2) / s.l * s.dx1 * tangent.value)]);
     page.correct();
     let at_rest = [(s.dtheta, Sym::ZERO)];
@@ -162,7 +162,7 @@ fn redundant(page: &mut Page, s: &SteeredLetters) {
         .holds([Line::equation(derived, left, s.drive + (m1 + m2) * s.mu + int(2) * m2 * s.g * sin * c)]);
     page.correct();
     let across = s.middle();
-    page.claim("eq1.99", "speed", r"The constraint of the middle is $\dot x_1\sin\theta=l\dot\theta$, as printed")
+    page.claim("eq1.99", "speed", r"As printed, the constraint of the middle is $\dot x_1\sin\theta=l\dot\theta$")
         .why(r"The factor 2 of (1.92) is missing.")
         .fails([Line::equation(across, s.dx1 * sin, l * s.dtheta)]);
     page.claim("eq1.99", "speed-corrected", "The constraint of the middle has the factor 2, as in (1.92)")

@@ -173,7 +173,7 @@ fn solution(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     page.claim(
         "eq1.109",
         "constant",
-        r"The constant from the initial state is $\tilde C=e^{-b\alpha_0}[\dot\alpha_0^2-\dots]$, as printed",
+        r"As printed, the constant from the initial state is $\tilde C=e^{-b\alpha_0}[\dot\alpha_0^2-\dots]$",
     )
     .reading(r"The source prints $e^{-b\alpha}$ without the index; $\alpha_0$ is read.")
     .why(r"The sign of the exponent is wrong, as in $\dot\alpha^2$.")
@@ -219,7 +219,7 @@ fn reactions(page: &mut Page, s: &LadderLetters, u: &Uniform) {
         "floor",
         r"$R_B^n$, expressed by the angle, is (1.110) as printed, with $\frac a2$, $\frac{af^2}2$ and a plus before the second",
     )
-    .why(r"The denominators $a-\frac23$ are cut down to 2; with them put back the plus is still wrong.")
+    .why(r"The denominators $a-\frac23$ are cut down to 2; with them restored the plus is still wrong.")
     .under(&u.names)
     .fails([Line::formula(derived[1], at_b, floor(-first + second))]);
     let [first, second] = coefficients(inertia);

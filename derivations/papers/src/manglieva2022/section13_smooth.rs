@@ -60,7 +60,7 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
     page.claim(
         "section1.3-ladder-ideal",
         "detachment",
-        r"From rest at $\alpha_0$ the ladder leaves the wall, $R_A^n=0$, at $\cos\alpha=2\cos\alpha_0$, as printed",
+        r"As printed, from rest at $\alpha_0$ the ladder leaves the wall, $R_A^n=0$, at $\cos\alpha=2\cos\alpha_0$",
     )
     .why(r"A factor 3 is missing. Besides, $\cos\alpha<\cos\alpha_0$ while the ladder slides down.")
     .given(premises)

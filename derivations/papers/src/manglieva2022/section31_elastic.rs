@@ -127,7 +127,7 @@ fn names(page: &mut Page, s: &ElasticLetters) {
     page.claim("eq3.17", "theta", r"The factor $\theta(x)$ of $\dot\omega_1$ is the moment of inertia by the bodies")
         .holds([Line::formula(turning.diff(s.rates[0]), theta, s.theta(x))]);
     let coupling = tidy(turning.diff(dx).diff(w));
-    page.claim("eq3.17", "coupling", r"The factor of $\dot x\omega_1$ is $F(x)=J_2r_1^2/(x-c)^2+m_{sp}x$, as printed")
+    page.claim("eq3.17", "coupling", r"As printed, the factor of $\dot x\omega_1$ is $F(x)=J_2r_1^2/(x-c)^2+m_{sp}x$")
         .why(r"The minus and one power of $x-c$ are missing: $\frac{d}{dt}(x-c)^{-1}$ brings $-(x-c)^{-2}$ together with a further $(x-c)^{-1}$.")
         .fails([Line::formula(coupling, f, s.inertia[1] * s.drum.powi(2) / rho.powi(2) + s.ball * x)]);
     page.claim(
@@ -139,7 +139,7 @@ fn names(page: &mut Page, s: &ElasticLetters) {
     .holds([Line::formula(coupling, f, s.coupling(x))]);
     page.correct();
     let derived = sliding.diff(s.rates[1]);
-    page.claim("eq3.17", "mobile-mass", r"The factor of $\ddot x$ is $m(x)=m_{sp}+2m_{sp}l^2/(4l^2-x^2)$, as printed")
+    page.claim("eq3.17", "mobile-mass", r"As printed, the factor of $\ddot x$ is $m(x)=m_{sp}+2m_{sp}l^2/(4l^2-x^2)$")
         .why(r"The first $m_{sp}$ stands where $m$ should stand, the mass of the sleeve with the wheel. The balls' part is the second term.")
         .fails([Line::formula(derived, mobile, s.ball + balls)]);
     page.claim(
@@ -212,7 +212,7 @@ fn power(page: &mut Page, s: &ElasticLetters) {
     page.claim(
         "eq3.17",
         "power-corrected",
-        r"With a moment $d\psi$ on the disc the rim's energy changes by the shafts' power and $d\psi\omega_2$. Without this moment it changes by the shafts' power alone",
+        r"With a moment $d\psi$ on the disc the rim's energy changes at a rate equal to the shafts' power and $d\psi\omega_2$. Without this moment the rate is the shafts' power alone",
     )
     .holds([Line::formula(derived, name, shafts + s.drill * psi * second)]);
     page.correct();

@@ -116,7 +116,7 @@ fn appell(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         "eq3.3",
         "power",
-        "Kinetic energy changes by the power of torques, push and friction, which is an identity with Appell's equations",
+        "Kinetic energy changes at a rate equal to the power of torques, push and friction; with Appell's equations this is an identity",
     )
     .in_words()
     .follows([Equal(rate - power, turning * s.speed + sliding * s.drho)]);

@@ -85,7 +85,7 @@ fn contacts(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         ENTRY,
         "wheel-half",
-        r"The middle of the chain for the wheel is $J\dot\omega=-\frac{J\omega_2}2\dot\rho_1$, as printed",
+        r"As printed, the middle of the chain for the wheel is $J\dot\omega=-\frac{J\omega_2}2\dot\rho_1$",
     )
     .why(r"The divisor $r$ is printed as 2.")
     .fails([Line::formula(on_wheel, spin, -s.wheel * s.speed / int(2) * s.drho)]);
@@ -128,7 +128,7 @@ fn motion(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         ENTRY,
         "wheel-axis",
-        r"For $\dot\rho_1>0$ the wheel moves along its axis by $m\ddot\rho_1=u+f(N_1+N_2)$, as printed",
+        r"As printed, for $\dot\rho_1>0$ the wheel moves along its axis by $m\ddot\rho_1=u+f(N_1+N_2)$",
     )
     .why(r"Friction is against the motion, so its sign is wrong.")
     .fails([Line::equation(outwards, s.mass * s.ddrho, s.push + f * normal)]);

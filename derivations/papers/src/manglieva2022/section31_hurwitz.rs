@@ -106,10 +106,14 @@ fn coefficients_of_hurwitz(page: &mut Page, q: &Quintic) {
         ),
     ];
     for (slug, corrected, k, value, why) in printed {
-        page.claim(entry, slug, format!("The coefficient $a_{k}$ of Hurwitz' matrix is right as printed"))
-            .why(why)
-            .reading(AS_STIFFNESS)
-            .fails([Line::formula(q.derived[k], names[k], value)]);
+        page.claim(
+            entry,
+            slug,
+            format!("The paper prints the coefficient $a_{k}$ of Hurwitz' matrix of the elastic governor as below"),
+        )
+        .why(why)
+        .reading(AS_STIFFNESS)
+        .fails([Line::formula(q.derived[k], names[k], value)]);
         page.claim(
             entry,
             corrected,
@@ -139,7 +143,7 @@ fn determinants(page: &mut Page, q: &Quintic) {
     let a = q.right();
     let derived = |size: usize| tidy(minor(&a, size));
     let inertia = theta * m0;
-    page.claim(entry, "delta1", r"The first minor is $\Delta_1=a_1=\theta m_0$, as printed")
+    page.claim(entry, "delta1", r"As printed, the first minor is $\Delta_1=a_1=\theta m_0$")
         .why(r"The factor $\beta_1$ of $a_1$ is missing.")
         .fails([Line::formula(derived(1), first, inertia)]);
     page.claim(entry, "delta1-corrected", r"The first minor is $\Delta_1=\theta m_0\beta_1$").holds([Line::formula(
@@ -151,7 +155,7 @@ fn determinants(page: &mut Page, q: &Quintic) {
     page.claim(
         entry,
         "delta2",
-        r"The second minor is $\Delta_2=\theta m_0(\Phi_3\Phi_2-\theta m_0\alpha_1V_0\beta_1V_0)$, as printed",
+        r"As printed, the second minor is $\Delta_2=\theta m_0(\Phi_3\Phi_2-\theta m_0\alpha_1V_0\beta_1V_0)$",
     )
     .why(r"The sign is that of the printed $a_2$, and $V_0$ stands twice.")
     .fails([Line::formula(derived(2), second, inertia * (phi3 * phi2 - inertia * alpha * v * beta * v))]);
@@ -168,7 +172,7 @@ fn determinants(page: &mut Page, q: &Quintic) {
         * (int(2) * m0.powi(2) * beta * alpha * theta.powi(2) * v + inertia * beta * z - inertia * coupling
             + beta.powi(3) * inertia.powi(2))
         - alpha * beta.powi(2) * inertia.powi(2) * (q.b * phi3 + v * q.a * theta);
-    page.claim(entry, "delta3", r"The third minor is the bracket that $a_4$ multiplies in $\Delta_4$, as printed")
+    page.claim(entry, "delta3", r"As printed, the third minor is the bracket that $a_4$ multiplies in $\Delta_4$")
         .why(r"The signs of $2m_0^2\theta^2\alpha_1\beta_1V_0$ and of $V_0a\theta$ are wrong, and the factor $R/\rho_0$ of $b$ is missing.")
         .reading(AS_STIFFNESS)
         .fails([Line::formula(derived(3), third, third_of_paper)]);
@@ -224,7 +228,7 @@ fn determinants(page: &mut Page, q: &Quintic) {
     )
     .holds([Line::formula(derived(4), fourth, by_pairs)]);
     page.correct();
-    page.claim(entry, "delta5", r"The fifth minor is $\Delta_5=a_5=\alpha_1V_0\Phi_3\Phi_2$, as printed")
+    page.claim(entry, "delta5", r"As printed, the fifth minor is $\Delta_5=a_5=\alpha_1V_0\Phi_3\Phi_2$")
         .why(r"The factor $\Delta_4$ is missing, and the sign of $a_5$ is wrong.")
         .reading(AS_STIFFNESS)
         .fails([Line::formula(derived(5), fifth, alpha * v * phi3 * phi2)]);

@@ -63,7 +63,7 @@ fn force(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         "eq3.9",
         "force",
-        r"The push is $u=m\ddot\rho=\frac mk\frac d{dt}(k_1/\rho+k_2)-(F_{11}+F_{22})$, as printed",
+        r"As printed, the push is $u=m\ddot\rho=\frac mk\frac d{dt}(k_1/\rho+k_2)-(F_{11}+F_{22})$",
     )
     .why(r"By (3.3) $u=m\ddot\rho+(F_{11}+F_{22})$: the push has to overcome friction, and is not $m\ddot\rho$.")
     .under(&names)
@@ -79,7 +79,7 @@ fn force(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         "section3.1-control-force",
         "variable",
-        r"The push with the derivative carried out has $-\dot k_2$, as printed",
+        r"As printed, the push with the derivative carried out has $-\dot k_2$",
     )
     .why(r"The signs of $\dot k_2$ and of friction are wrong.")
     .under(&small)
@@ -171,7 +171,7 @@ fn persidskii(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         entry,
         "exponent",
-        r"The exponent in $|\rho'|=|\rho_0'|\exp(-\int k_1\rho_0^{-2}d\tau)$ has $k_1$, as printed",
+        r"As printed, the exponent in $|\rho'|=|\rho_0'|\exp(-\int k_1\rho_0^{-2}d\tau)$ has $k_1$",
     )
     .why(r"$k_1$ stands where $k_1'=k_1/k$ of (3.13) should stand.")
     .under(&names)

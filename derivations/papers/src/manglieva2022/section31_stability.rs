@@ -45,7 +45,7 @@ fn linearised(page: &mut Page, s: &ElasticLetters) {
     page.correct();
     let [c1, c2] = s.springs;
     let half = s.ball / int(2);
-    page.claim("eq3.21", "sleeve", r"The linear equation of $x$ has dots over $x'$ and $\omega_1'$ and no $m_{sp}$, as printed")
+    page.claim("eq3.21", "sleeve", r"As printed, the linear equation of $x$ has dots over $x'$ and $\omega_1'$ and no $m_{sp}$")
         .under(&s.names(&["m₀"]))
         .why(r"The centrifugal force and the springs vary with $x$ and $\omega_1$, not with their rates; $m_{sp}$ is missing in front of $2x_0\omega_1^0\omega_1'$.")
         .reading(AS_PRINTED)
@@ -76,7 +76,7 @@ fn linearised(page: &mut Page, s: &ElasticLetters) {
     )
     .holds([Line::equation(across - dlambda, dx - dlambda - rolled * psi, Sym::ZERO)]);
     let line = |a: Sym| Line::equation(dpsi - turn, dpsi - rolled * s.alpha * a + rolled * s.beta * psi, Sym::ZERO);
-    page.claim("eq3.21", "line", r"The linear equation of the line of rolling has $\dot\lambda$, as printed")
+    page.claim("eq3.21", "line", r"As printed, the linear equation of the line of rolling has $\dot\lambda$")
         .why(r"The dot over $\lambda$ is a slip: (3.17) and (3.22) have $\lambda$.")
         .fails([line(dlambda)]);
     page.claim("eq3.21", "line-corrected", r"The linear equation of the line of rolling has $\lambda$")
@@ -107,7 +107,7 @@ fn matrix(page: &mut Page, s: &ElasticLetters) {
         .reading(AS_PRINTED)
         .under(&names)
         .follows(lines.iter().map(|line| Condition::Equal(line.derived, line.right)));
-    page.claim("eq3.22", "twist", r"The entry of $\psi$ in the first row is $-b$, as printed")
+    page.claim("eq3.22", "twist", r"As printed, the entry of $\psi$ in the first row is $-b$")
         .under(&s.names(&["ϱ₀"]))
         .why(r"Sign and factor are those of (3.20): $-b\psi\frac R{\rho_0}$ on the right side comes to the left with a plus.")
         .reading(format!("{AS_PRINTED} For a rim that resists, the sign $-b$ is right and the factor $R/\\rho_0$ alone is missing."))
@@ -124,7 +124,7 @@ fn polynomial(page: &mut Page, s: &ElasticLetters, q: &Quintic) {
     page.claim(
         entry,
         "names",
-        r"The coefficients of the characteristic polynomial by $\theta$, $m_0$, $\Phi_k$, $\alpha_1$, $\beta_1$, $V_0$ are those by the data, for a rim that resists",
+        r"The coefficients of the characteristic polynomial of the elastic governor by $\theta$, $m_0$, $\Phi_k$, $\alpha_1$, $\beta_1$, $V_0$ are those by the data, for a rim that resists",
     )
     .in_words()
     .reading(AS_STIFFNESS)
@@ -167,7 +167,7 @@ fn polynomial(page: &mut Page, s: &ElasticLetters, q: &Quintic) {
         ),
     ];
     for (slug, corrected, of, k, printed, why) in wrong {
-        page.claim(entry, slug, format!("The coefficient {of} of the characteristic polynomial is right as printed"))
+        page.claim(entry, slug, format!("The paper prints the coefficient {of} of the characteristic polynomial of the elastic governor as below"))
             .why(why)
             .reading(AS_STIFFNESS)
             .fails([Line::formula(q.derived[k], names[k], printed)]);

@@ -28,7 +28,7 @@ fn criterion(page: &mut Page, r: &ReleasedLetters) {
     let rates = r.linear.apply(r.deviation);
     let inertia = r.inertia();
     let by = |lever: Sym, of_second: Sym| (-(lever * zeta) - r.n * s.speed * r.rho * z + r.slope() * more) / of_second;
-    page.claim("eq3.34", "normal", r"$\dot\zeta$ in normal form has $n\rho_0\cdot n\dot\rho_0$ and $J^2$, as printed")
+    page.claim("eq3.34", "normal", r"As printed, $\dot\zeta$ in normal form has $n\rho_0\cdot n\dot\rho_0$ and $J^2$")
         .under(&r.names())
         .why(r"A factor $n$ stands twice, and $J^2$ stands where $J_2$ should stand.")
         .reading(r"From (3.34) on the source writes $\xi$ for $\zeta$ itself.")
@@ -42,7 +42,7 @@ fn criterion(page: &mut Page, r: &ReleasedLetters) {
     page.claim(
         "eq3.34",
         "names",
-        r"The abbreviations are $n_1=\frac n{\omega\rho_0^2+J^2}$ and $S_1'=\frac{M_1-n\omega_2^0\dot\rho_0}{n\rho_0^2+J_2}$, as printed",
+        r"As printed, the abbreviations are $n_1=\frac n{\omega\rho_0^2+J^2}$ and $S_1'=\frac{M_1-n\omega_2^0\dot\rho_0}{n\rho_0^2+J_2}$",
     )
     .why(r"$\omega$ stands where $n$ should stand, $J^2$ where $J_2$ should stand, and the divisor $R$ of $M_1$ is missing.")
     .under(&r.names())
@@ -134,14 +134,14 @@ fn function(page: &mut Page, r: &ReleasedLetters) {
     page.correct();
     let slope = regulator.bellman(r.value, r.deviation, u).diff(u);
     let push = letter("u₁");
-    page.claim(entry, "least",r"The condition of the minimum is $\partial B/\partial u_1=2u_1+2C_{22}z+2C_{13}\xi+2C_{23}\rho^{\prime}=0$, as printed")
+    page.claim(entry, "least",r"As printed, the condition of the minimum of $B$ over $u_1$ is $\partial B/\partial u_1=2u_1+2C_{22}z+2C_{13}\xi+2C_{23}\rho^{\prime}=0$")
         .under(&with_unit_weights(r, Hypotheses::none()))
         .why(r"By $m\dot z=u_1$ the bracket has the factor $1/m$, which is missing.")
         .fails([Line::equation(slope, two * price * push, -gradient[2])]);
     page.claim(
         entry,
         "least-corrected",
-        r"The condition of the minimum is $\partial B/\partial u_1=2su_1+\frac1m(2C_{22}z+2C_{13}\zeta+2C_{23}\rho')=0$",
+        r"The condition of the minimum of $B$ over $u_1$ is $\partial B/\partial u_1=2su_1+\frac1m(2C_{22}z+2C_{13}\zeta+2C_{23}\rho')=0$",
     )
     .holds([Line::equation(slope, two * price * push, -gradient[2] / s.mass)]);
     page.correct();
@@ -225,7 +225,7 @@ fn riccati(page: &mut Page, r: &ReleasedLetters) {
     }
     let [zeta, more, z] = r.deviation;
     let optimal = r.regulator().optimal(r.value, r.deviation);
-    page.claim("eq3.37", "control", r"The optimal control is $u_1=-(c_{33}z+c_{13}\xi+c_{23}\rho')$, as printed")
+    page.claim("eq3.37", "control", r"As printed, the optimal control is $u_1=-(c_{33}z+c_{13}\xi+c_{23}\rho')$")
         .under(&with_unit_weights(r, Hypotheses::none()))
         .why(r"$c_{33}$ stands where $c_{22}$ should stand, and the factor $1/m$ is missing.")
         .fails([Line::formula(optimal, r.control, -(c33 * z + c13 * zeta + c23 * more) / price)]);

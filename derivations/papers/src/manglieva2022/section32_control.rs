@@ -31,7 +31,7 @@ fn columns(page: &mut Page, r: &ReleasedLetters) {
     let p = r.linear.matrix[0];
     let entries = letters(["p₁₁", "p₁₂", "p₁₃"]);
     let printed = [-(r.n * r.rho * r.drho), r.slope(), -(r.n * s.speed * r.rho)];
-    page.claim("eq3.32", "p", "The first row of $P$ is right as printed")
+    page.claim("eq3.32", "p", "As printed, the first row of $P$ is as below")
         .why(r"(3.29) is not divided by $n\rho_0^2+J_2$, which depends on the time.")
         .under(&r.names())
         .fails((0..3).map(|j| Line::formula(p[j], entries[j], printed[j])));
@@ -40,7 +40,7 @@ fn columns(page: &mut Page, r: &ReleasedLetters) {
         .holds((0..3).map(|j| Line::formula(p[j], entries[j], printed[j] / inertia)));
     page.correct();
     let lever = r.n * s.speed * r.rho;
-    page.claim("eq3.32", "l2", r"The column $L_2$ is $(n\omega_2^0\rho_0,-1,0)$, as printed")
+    page.claim("eq3.32", "l2", r"As printed, the column $L_2$ is $(n\omega_2^0\rho_0,-1,0)$")
         .why(r"The divisors $n\rho_0^2+J_2$ and $m$ are missing, as in $P$ and $L_1$.")
         .under(&r.names())
         .fails([Line::formula(second[0], name2, lever)]);
@@ -52,7 +52,7 @@ fn columns(page: &mut Page, r: &ReleasedLetters) {
         ]);
     page.correct();
     let rate = r.along_programme(second[0]);
-    page.claim("eq3.32", "l2-rate", r"The rate of $L_2$ is $(n\omega_2^0\dot\rho_0,0,0)$, as printed")
+    page.claim("eq3.32", "l2-rate", r"As printed, the rate of $L_2$ is $(n\omega_2^0\dot\rho_0,0,0)$")
         .why(r"The divisor $n\rho_0^2+J_2$ is missing and changes too.")
         .under(&r.names())
         .fails([Line::formula(rate, slope2, r.n * s.speed * r.drho)]);
@@ -69,7 +69,7 @@ fn columns(page: &mut Page, r: &ReleasedLetters) {
     )]);
     page.correct();
     let moment = s.m1 / s.drum;
-    page.claim("eq3.32", "l3", r"The column $L_3$ is $(\frac{M_1}R+n^2\omega_2^0\rho_0^2\dot\rho_0,0,0)$, as printed")
+    page.claim("eq3.32", "l3", r"As printed, the column $L_3$ is $(\frac{M_1}R+n^2\omega_2^0\rho_0^2\dot\rho_0,0,0)$")
         .reading(r"The source prints $\frac{\mu_1}r$; $\frac{M_1}R$ is read, as in (3.28).")
         .why(r"The divisors are missing, and the sign of the second term is wrong.")
         .under(&r.names())

@@ -94,7 +94,7 @@ fn equations(page: &mut Page, r: &ReleasedLetters) {
     page.claim(
         "eq3.26",
         "rotation",
-        r"The first equation is $(n\rho^2+J_2)\dot\zeta+n(\zeta+\omega_2^0)\dot\rho=M_2+\frac\rho RM_1$, as printed",
+        r"As printed, the first equation is $(n\rho^2+J_2)\dot\zeta+n(\zeta+\omega_2^0)\dot\rho=M_2+\frac\rho RM_1$",
     )
     .why(r"A factor $\rho$ is missing. (3.27) has it.")
     .under(&r.names())
@@ -107,7 +107,7 @@ fn equations(page: &mut Page, r: &ReleasedLetters) {
     .under(&r.names())
     .holds([Line::equation(turning, left(s.rho), right)]);
     page.correct();
-    page.claim("eq3.26", "wheel", r"The second equation is $m\ddot\rho=F_1+F_2+u+u_1$, as printed")
+    page.claim("eq3.26", "wheel", r"As printed, the second equation is $m\ddot\rho=F_1+F_2+u+u_1$")
         .reading(r"$F_1+F_2$ is read as the friction $F_{11}+F_{22}$ across.")
         .why(r"The sign of friction is wrong. (3.3) and (3.27) have the minus.")
         .fails([Line::equation(sliding, s.mass * s.ddrho, s.friction + s.push + r.control)]);

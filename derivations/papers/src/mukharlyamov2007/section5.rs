@@ -192,8 +192,8 @@ fn multipliers(page: &mut Page) {
 
 /// Claims on the stability of a y'' + c y' + k y = 0.
 fn stability(page: &mut Page) {
-    page.claim("section5-stability", "necessary", "Stabilisation of the constraints (5) means asymptotic stability of the trivial solution of (15). The condition is necessary and sufficient by definition, as long as the multipliers exist")
-        .note("Lyapunov's theorem on a part of the variables needs what the sentence lists ($V$ positive definite, its derivative negative definite, an infinitely small upper limit, all in $y,\\dot y$) and that $q,\\dot q$ exist for all time. $y$ and $\\dot y$ have an infinitely small upper limit in themselves.")
+    page.claim("section5-stability", "necessary", "Stabilisation of the constraints (5) means asymptotic stability of the trivial solution of (15). This condition is necessary and sufficient by definition, as long as the multipliers exist")
+        .note("Lyapunov's theorem on a part of the variables needs what the sentence lists ($V$ positive definite, its derivative negative definite, an infinitely small upper limit, all in $y,\\dot y$) and that $q,\\dot q$ exist for all time. An infinitely small upper limit means that $V$ admits an upper bound that tends to zero with $y,\\dot y$.")
         .defines([]);
     let [a, c, k, y, dy] = letters(["a", "c₀", "k", "y", "ẏ"]);
     let rate = |v: Sym| v.diff(y) * dy - v.diff(dy) * (c * dy + k * y) / a;

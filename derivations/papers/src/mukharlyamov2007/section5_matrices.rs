@@ -106,7 +106,7 @@ fn gain(page: &mut Page) {
         sum + column[i]
     });
     let positive = d.into_iter().chain(alpha).map(Positive);
-    page.claim("section5-stability", "matrices-gain", r"An $\varepsilon>0$ with $c-\varepsilon a$ positive definite exists, here for three constraints. With $\tau=\mathrm{tr}(c^{-1}a)$ the form $\tau\,x'cx-x'ax$ is a sum of squares for all positive definite $a=GM\,\mathrm{diag}(\alpha)M'G'$, $c=G\,\mathrm{diag}(d)G'$. So $x'(c-\varepsilon a)x\ge(1-\varepsilon\tau)x'cx$, and every $0<\varepsilon<1/\tau$ will do. By Lyapunov's theorem, which is cited, the perturbations of (15) are then asymptotically stable for constant symmetric positive definite $a,c,k$")
+    page.claim("section5-stability", "matrices-gain", r"An $\varepsilon>0$ with $c-\varepsilon a$ positive definite exists, here for three constraints. With $\tau=\mathrm{tr}(c^{-1}a)$ the form $\tau\,x'cx-x'ax$ is a sum of squares for all positive definite $a=GM\,\mathrm{diag}(\alpha)M'G'$, $c=G\,\mathrm{diag}(d)G'$. So $x'(c-\varepsilon a)x\ge(1-\varepsilon\tau)x'cx$, and every $0<\varepsilon<1/\tau$ will do. By Lyapunov's theorem (not proved here), the perturbations of (15) are then asymptotically stable for constant symmetric positive definite $a,c,k$")
         .in_words()
         .given(positive)
         .follows([Equal(solved, trace), Equal(trace * form(&c, x) - form(&a, x), squares)]);

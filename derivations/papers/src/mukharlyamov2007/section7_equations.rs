@@ -90,7 +90,7 @@ fn integrals(page: &mut Page, s: &TopLetters) {
         .note("The value of $f_3$ is not printed. It is a constant in general, and zero on the motion that is studied. The constant $\\mu$ below (17) is $\\mu_1$.")
         .defines([]);
     let law = s.top.map(|x| x.value).integrals(&s.at, s.aim);
-    page.claim("eq17", "law", "The program's integrals of the body are $f_1$, $f_2$, $f_3$ of (17)")
+    page.claim("eq17", "law", "The integrals of the body that this program computes are $f_1$, $f_2$, $f_3$ of (17)")
         .in_words()
         .follows([
             Condition::Equal(law.energy, f1),

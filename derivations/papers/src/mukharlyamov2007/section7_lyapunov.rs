@@ -161,7 +161,7 @@ impl Bundle {
         .given([Positive(a)])
         .follows([Equal(self.quadratic().substitute(&bowed), rest * x4 * x4)]);
         let v = self.corrected();
-        page.claim("section7-stability", "constant", r"For constant $A$, $C$, $Mz_c$, $\dot V=0$ along (21) corrected. Where $D>0$, $V$ is a positive definite integral and the permanent rotation is stable in $p,q,r,\gamma$ by Lyapunov's theorem, which is cited")
+        page.claim("section7-stability", "constant", r"For constant $A$, $C$, $Mz_c$, $\dot V=0$ along (21) corrected. Where $D>0$, $V$ is a positive definite integral and the permanent rotation is stable in $p,q,r,\gamma$ by Lyapunov's theorem (not proved here)")
             .in_words()
             .follows([Zero(self.along(v))]);
     }

@@ -29,7 +29,7 @@ fn equations(page: &mut Page, s: &TopLetters) {
         Line::equation(derived.z, c * acceleration.z, Sym::ZERO),
     ]);
     let rest = nu * p - weight * g1 + s.tide * (a - c) * g3 * g1;
-    page.claim("eq21", "second", "The second equation of (21) has $(A-C)rp$, as printed")
+    page.claim("eq21", "second", "As printed, the second equation of (21) has $(A-C)rp$")
         .why("The sign is wrong: (16) has $(C-A)rp$.")
         .fails([Line::equation(derived.y, a * acceleration.y, (a - c) * r * p + rest)]);
     page.claim("eq21", "second-corrected", "The second equation of (21) has $(C-A)rp$, as in (16)")

@@ -129,7 +129,7 @@ fn stable(page: &mut Page, bundle: &Bundle) {
         + across * (x4 * x4 + x5 * x5)
         + along * x6 * x6;
     let length = x4 * x4 + x5 * x5 + x6 * x6 + x6 + x6;
-    page.claim("section7-stability", "stable", r"On $|\gamma|=1$ along (21) corrected $\dot V=\dot A\left(x_1-\frac{\dot N}{2\dot A}x_4\right)^2+\dot A\left(x_2-\frac{\dot N}{2\dot A}x_5\right)^2+\dot E\left(x_3-\frac{\dot F}{2\dot E}x_6\right)^2+\left(\dot\kappa-\frac{\dot N^2}{4\dot A}\right)(x_4^2+x_5^2)+\left(\dot\chi-\frac{\dot F^2}{4\dot E}\right)x_6^2$ with $E=\frac{C^2}A$, $F=\frac{NC}A$, $\chi=\frac{N^2}{2A}-Mgz_c$. Where $\dot A<0$, $\dot E<0$, $\dot A\dot\kappa\ge\frac14\dot N^2$, $\dot E\dot\chi\ge\frac14\dot F^2$, $V$ never grows; with $D(t)$ above a positive number the rotation is stable by Lyapunov's theorem, which is cited")
+    page.claim("section7-stability", "stable", r"On $|\gamma|=1$ along (21) corrected $\dot V=\dot A\left(x_1-\frac{\dot N}{2\dot A}x_4\right)^2+\dot A\left(x_2-\frac{\dot N}{2\dot A}x_5\right)^2+\dot E\left(x_3-\frac{\dot F}{2\dot E}x_6\right)^2+\left(\dot\kappa-\frac{\dot N^2}{4\dot A}\right)(x_4^2+x_5^2)+\left(\dot\chi-\frac{\dot F^2}{4\dot E}\right)x_6^2$ with $E=\frac{C^2}A$, $F=\frac{NC}A$, $\chi=\frac{N^2}{2A}-Mgz_c$. Where $\dot A<0$, $\dot E<0$, $\dot A\dot\kappa\ge\frac14\dot N^2$, $\dot E\dot\chi\ge\frac14\dot F^2$, $V$ never grows; with $D(t)$ above a positive number the rotation is stable by Lyapunov's theorem (not proved here)")
         .in_words()
         .given([NonZero(da), NonZero(de), Zero(length)])
         .by_combination([(

@@ -270,7 +270,7 @@ fn real(page: &mut Page) {
 fn kick_and_drift(page: &mut Page) {
     let [kappa, t] = letters(["κ", "T"]);
     let [[p, q], [r, s]] = step(Splitting::Strang, kappa);
-    page.claim("splitting", "strang", r"A step of Strang's splitting of $\ddot q=-kq$ into kick and drift has the trace below, $\kappa=h^2k$. With the determinant one (numerical_stability/splitting/area) the eigenvalues are a pair on the unit circle, not real, if and only if $|T|<2$, that is $0<\kappa<4$")
+    page.claim("splitting", "strang", r"A step of Strang's splitting of $\ddot q=-kq$ into kick and drift has the trace $T$ below, $\kappa=h^2k$. With the determinant one (numerical_stability/splitting/area) the eigenvalues are a pair on the unit circle, not real, if and only if $|T|<2$, that is $0<\kappa<4$")
         .holds([Line::formula(p + s, t, n(2) - kappa)]);
     page.claim(
         "splitting",

@@ -80,19 +80,19 @@ where
         let moved = |rates: Option<[Sym; R]>| motion.acceleration(rates.unwrap_or([Sym::UNDEFINED; R]));
         let name = self.name;
         let pushed = newton(&self.system, &motion.state, force).map(|pushed| pushed.acceleration);
-        page.claim(self.entry, "newton", format!("For {name}, Newton's equations, with each reaction acting where the body is touched, give the accelerations of Lagrange's multipliers"))
+        page.claim(self.entry, "newton", format!("For {name}, Newton's equations, with each reaction acting where the body is touched, give the accelerations of Lagrange's equations with multipliers"))
             .in_words()
             .follows(same(pushed.unwrap_or([Sym::UNDEFINED; N])));
         page.claim(
             self.entry,
             "lagrange",
             format!(
-                "For {name}, Lagrange's equations of the second kind (Maggi's, where a kinematic constraint is left) give the accelerations of Lagrange's multipliers"
+                "For {name}, Lagrange's equations of the second kind (Maggi's, where a kinematic constraint is left) give the accelerations of Lagrange's equations with multipliers"
             ),
         )
         .in_words()
         .follows(same(moved(second_kind::rates(&self.system, self.at, force).ok())));
-        page.claim(self.entry, "appell", format!(r"For {name}, Appell's equations, $\partial S'/\partial\dot p_j = Q'_j$, give the accelerations of Lagrange's multipliers"))
+        page.claim(self.entry, "appell", format!(r"For {name}, Appell's equations, $\partial S'/\partial\dot p_j = Q'_j$, give the accelerations of Lagrange's equations with multipliers"))
             .in_words()
             .follows(same(moved(appell::rates(&self.system, &motion, force).ok())));
         self.combining(page, &motion);
@@ -119,7 +119,7 @@ where
         let admissible =
             Split::<N, C, R>::new(self.dependent).and_then(|split| accelerations(&self.system, &split, &state).ok());
         let least = admissible.and_then(|admissible| gauss::least(masses, force, &admissible).ok());
-        page.claim(self.entry, "gauss", format!("For {}, the stationary point of $Z = \\frac12\\sum m(\\ddot x - X/m)^2$ over the accelerations that the constraints admit (Gauss) is the acceleration of Lagrange's multipliers", self.name))
+        page.claim(self.entry, "gauss", format!("For {}, the stationary point of $Z = \\frac12\\sum m(\\ddot x - X/m)^2$ over the accelerations that the constraints admit (Gauss) is the acceleration given by Lagrange's equations with multipliers", self.name))
             .in_words()
             .follows((0..N).map(|i| Equal(least.unwrap_or([Sym::UNDEFINED; N])[i], expected[i])));
         let directions = admissible.map_or([[Sym::UNDEFINED; N]; R], |admissible| admissible.directions);
@@ -127,7 +127,7 @@ where
             std::array::from_fn(|i| (0..R).fold(Sym::ZERO, |sum, j| sum + self.variations[j] * directions[j][i]));
         let moved = std::array::from_fn(|i| expected[i] + varied[i]);
         let more = gauss::constraint(masses, force, moved) - gauss::constraint(masses, force, expected);
-        page.claim(self.entry, "least", format!(r"For {}, the acceleration of Lagrange's multipliers is the minimum of $Z$ (Gauss): $Z(\ddot x+\delta)-Z(\ddot x) = \frac12\sum m\,\delta^2$ for every admissible $\delta$", self.name))
+        page.claim(self.entry, "least", format!(r"For {}, the acceleration given by Lagrange's equations with multipliers is the minimum of $Z$ (Gauss): $Z(\ddot x+\delta)-Z(\ddot x) = \frac12\sum m\,\delta^2$ for every admissible $\delta$", self.name))
             .in_words()
             .follows([Equal(more, kinetic_energy(masses, varied))]);
     }
@@ -164,7 +164,7 @@ where
             self.entry,
             "shulgin",
             format!(
-                "For {}, Shulgin's equations in redundant coordinates, with the term that they lose put back, give the accelerations of Lagrange's multipliers",
+                "For {}, Shulgin's equations in redundant coordinates, with the term that they lose added again, give the accelerations of Lagrange's equations with multipliers",
                 self.name
             ),
         )

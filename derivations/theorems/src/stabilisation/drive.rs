@@ -138,7 +138,7 @@ fn power(page: &mut Page) {
     let (drive, at) = (drive(), anywhere());
     let instant = Instant::of(&drive, &at);
     let accelerations = letters(["a1", "a2", "a4", "a5", "a6", "a7"]);
-    page.claim("drive", "power", r"Along the drive's motion the energy of windings, capacitor, crank and slider changes by the source's power $Ef^1$, less the heat in resistances, diodes and bearings, plus the work $\lambda\dot f$ of the rod's reaction, which is zero where the constraint holds")
+    page.claim("drive", "power", r"Along the drive's motion the energy of windings, capacitor, crank and slider changes at a rate equal to the source's power $Ef^1$, less the heat in resistances, diodes and bearings, plus the work $\lambda\dot f$ of the rod's reaction, which is zero where the constraint holds")
         .in_words()
         .follows([balance(&drive, &at, accelerations, letter("λ"))]);
     let entry = |i: usize, j: usize| instant.force[i].diff(at.velocity[j]);

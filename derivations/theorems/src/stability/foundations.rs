@@ -32,7 +32,7 @@ fn law(page: &mut Page, s: &Letters) {
     let energies = Energies::of(&g);
     let (all, spin) = energies.momenta(s.w, s.dphi);
     let [of_points, of_rotor] = g.angular_momentum(s.w, s.dphi);
-    page.claim("law", "momenta", r"The gyrostat's momenta $\partial T/\partial\omega$ and $\partial T/\partial\dot\varphi'$, from the energies, are the angular momentum $x$ of all mass points about $O$, and that of the rotor about its axis. The law that is varied is the theorem of angular momentum")
+    page.claim("law", "momenta", r"The gyrostat's momenta $\partial T/\partial\omega$ and $\partial T/\partial\dot\varphi'$, from the energies, are the angular momentum $x$ of all mass points about $O$, and that of the rotor about its axis. The equations that are linearised are those of the theorem of angular momentum")
         .under(&s.unit_axis)
         .follows((0..3).map(|i| Equal(all[i], of_points[i])).chain([Equal(spin, of_rotor.dot(&s.l))]));
 }
