@@ -129,7 +129,10 @@ fn close(model: &mut Model) -> Result<Vec<String>, Exit> {
     Ok(open.into_iter().map(|(name, _)| name).collect())
 }
 
-/// The points, bodies and frames of a model at a state.
+/// The points, bodies and frames of a model at a state: coordinates, then speeds, in the order of the model and in SI units. `path` is named in messages.
+///
+/// # Errors
+/// A place has no value, lies too far from the origin, or the system has no points, frames or bodies.
 fn geometry(path: &Path, model: &Arc<Model>, state: &[f64]) -> Result<Geometry, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: {why}", path.display()));
     let geometry = Geometry::of(model, state).map_err(|why| refused(format!("its places have no values: {why}")))?;

@@ -6,7 +6,7 @@ use crate::{Circle, DoubleDouble};
 /// A number and its rounding error, not necessarily normalised.
 type Double = [f64; 2];
 
-/// pi/16 in three parts: multiples below 2^51 are accurate to 2^-108 in absolute terms.
+/// pi/16 as the sum of three numbers. Integer multiples up to 2^51 are subtracted with an absolute error below 2^-108.
 const SIXTEENTH: [f64; 3] = [0.196_349_540_849_362_07, 7.654_042_494_670_958e-18, -1.871_731_131_073_962_3e-34];
 
 /// cos(j pi/16).

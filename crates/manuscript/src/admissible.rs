@@ -9,6 +9,7 @@ use symbolic::{Dimension, Sym};
 /// The parameters that a counterexample should make positive; all others should differ from zero.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Wanted {
+    /// All parameters.
     AllPositive,
     /// The parameters whose dimension is in [`POSITIVE`].
     BodiesPositive,

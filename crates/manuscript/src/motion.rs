@@ -257,7 +257,7 @@ impl<'t, 'm> Motion<'t, 'm> {
         Ok(())
     }
 
-    /// Adds a round that replaces symbols by these values.
+    /// Adds a round, a simultaneous replacement after all earlier ones. Each pair is a symbol and the expression that replaces it.
     pub fn set(&mut self, values: Vec<(Sym, Sym)>) {
         let by = values.iter().map(|&(symbol, value)| symbol - value).collect();
         self.rounds.push(Round { values, by: Some(by) });

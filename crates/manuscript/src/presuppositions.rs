@@ -16,7 +16,8 @@ use latex::Statement;
 use reader::Issue;
 use symbolic::Sym;
 
-/// The hypotheses about signs and zeros, with the equalities inserted.
+/// The hypotheses `assumed` of a claim that state a sign or that an expression is not zero, after the hypotheses that are equalities were inserted
+/// into them. `kind` says whether the equations of motion or only the constraints hold.
 ///
 /// # Errors
 /// The hypotheses contradict each other.

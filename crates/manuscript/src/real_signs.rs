@@ -56,7 +56,8 @@ fn length(expression: Sym) -> usize {
     length
 }
 
-/// `None` if the expression is not proved nonnegative, otherwise whether it is positive.
+/// `Some(true)`: the expression is proved positive under the conditions `known`; `Some(false)`: it is proved nonnegative; `None`: neither is proved.
+/// `depth` is the number of nested steps of the proof that may still be made.
 fn is_at_least_zero(expression: Sym, known: &[Condition], depth: usize) -> Option<bool> {
     if length(expression) > LONGEST {
         return None;

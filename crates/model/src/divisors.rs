@@ -10,8 +10,10 @@ use symbolic::Sym;
 /// Divisors with more characters are described in words.
 const MOST_READ: usize = 200;
 
-/// The number of points at which a divisor must be a constant multiple of a length, and the relative accuracy of this test.
+/// The number of random points at which the ratio of a divisor and a length is compared: if it is constant, the divisor is a multiple of the length.
 const POINTS: u64 = 4;
+
+/// The relative accuracy of this comparison.
 const DIGITS: f64 = 1e-10;
 
 /// The largest power of a squared quaternion norm as a cofactor of a length.

@@ -155,7 +155,8 @@ impl<S: Running + Over<f64>, M: Machine<f64>> FixedAngleMachine<f64, S> for Prog
 }
 
 impl<'a, S: Over<f64> + Analytic, M> Programmed<'a, S, M> {
-    /// A machine with its recorded programs.
+    /// A machine whose laws are evaluated by `programs`. A law without a program, or every law if `programs` is `None`, is evaluated by the machine
+    /// itself.
     pub fn new(machine: &'a M, programs: Option<&'a Programs>) -> Self {
         Programmed {
             machine,

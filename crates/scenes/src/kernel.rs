@@ -10,7 +10,7 @@ const RANK: f64 = 1e-10;
 pub(crate) struct Rows(DMatrix<f64>);
 
 impl Rows {
-    /// A matrix without rows; its null space is the whole space.
+    /// A matrix with this number of columns and without rows; its null space is the whole space.
     pub fn none(columns: usize) -> Self {
         Rows(DMatrix::zeros(0, columns))
     }

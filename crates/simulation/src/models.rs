@@ -68,7 +68,7 @@ pub fn read_models_by(readers: ModelReaders) {
     READERS.get_or_init(|| readers);
 }
 
-/// The registered readers.
+/// The registered readers; `None` if no crate has registered any.
 pub fn readers() -> Option<&'static ModelReaders> {
     READERS.get()
 }

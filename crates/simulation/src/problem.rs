@@ -52,7 +52,7 @@ impl Problem {
     }
 
     /// Integrates over a span across events, or to the end of the validity of the law: the outcome is then the last
-    /// valid state, with the reason.
+    /// valid state, with the reason. The reason is `None` if the law stays valid.
     pub fn integrate(
         &self,
         method: Method,

@@ -37,7 +37,8 @@ pub struct Run {
     pub outputs: Vec<String>,
 }
 
-/// Reads the table. The names of `outputs` are checked only if `known` is given. Faults are added to `issues`.
+/// Reads the table `run`. The names of `outputs` are compared with the names `known` of columns; `None`: they are not
+/// checked. Faults are added to `issues`. `None` if the table is missing or has a fault.
 pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, known: Option<&[String]>) -> Option<Run> {
     let mut table = top.table("run", "the span of time and the tolerance");
     let run = keys(&mut table, known.map_or(0, <[String]>::len));

@@ -208,12 +208,12 @@ impl Observer<f64> for Told<'_> {
 }
 
 impl Trajectory {
-    /// The index of the column with this name.
+    /// The index of the column with this name; `None` if there is none.
     pub fn column(&self, name: &str) -> Option<usize> {
         self.names.iter().position(|known| known == name)
     }
 
-    /// The reason why the run stopped before its end, if it did.
+    /// The reason why the run stopped before its end; `None` if it reached its end.
     pub fn stopped(&self) -> Option<String> {
         let failure = || self.outcome.failure().map(|failure| self.named(failure));
         let broken_off = || self.broken_off().then(|| "interrupted".to_owned());
@@ -257,7 +257,7 @@ impl Trajectory {
     }
 
     /// The conserved quantity that the run lost first, for a method with step size control. Runs with constant steps
-    /// are checked by step halving instead.
+    /// are checked by step halving instead, and have `None`, as a run that lost no quantity.
     pub fn lost(&self) -> Option<(&Deviation, Lost)> {
         // a run that ends within its last step is not lost beyond its end
         let within = |lost: Lost| Lost { at: lost.at.min(self.outcome.time), ..lost };

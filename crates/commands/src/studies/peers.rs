@@ -1,4 +1,4 @@
-//! The comparison with other tools: tables read from the file of the measuring script if it exists.
+//! The comparison with other tools: tables of the file that `benches/peers/run.py` writes, or a note if this file does not exist.
 
 use charts::{Study, Table};
 use serde::Deserialize;

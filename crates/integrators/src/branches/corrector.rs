@@ -28,8 +28,9 @@ impl<'a> Corrector<'a> {
         Corrector { curve, sizes, residual, matrix, corrections: 0 }
     }
 
-    /// The Jacobian with `border` as an additional row, each row divided by its largest entry, and the residuals
-    /// divided likewise.
+    /// The linear equations of Newton's iteration at the scaled point `x` of length n + 1. The matrix has the n rows of the Jacobian, each divided by its
+    /// largest entry, and `border` as the last row. The right side has the n residuals, divided by the same numbers, and a zero. `None` if the curve
+    /// cannot be evaluated at `x`, or a row or a residual is not finite or a row is zero.
     fn bordered(&mut self, x: &DVector<f64>, border: &DVector<f64>) -> Option<(DMatrix<f64>, DVector<f64>)> {
         let n = self.residual.len();
         let given: Vec<f64> = x.iter().zip(self.sizes).map(|(x, size)| x * size).collect();
@@ -50,8 +51,8 @@ impl<'a> Corrector<'a> {
         Some((matrix, right))
     }
 
-    /// The point of the curve in the plane through `trial` with the normal `across`; `None` where Newton's iteration
-    /// finds none at a distance of at most `reach`.
+    /// The point of the curve in the plane through `trial` with the normal `across`. All vectors have length n + 1 and are divided by the sizes of the
+    /// unknowns. `None` if Newton's iteration finds no such point at a distance of at most `reach` from `trial`.
     pub fn onto(&mut self, trial: &DVector<f64>, across: &DVector<f64>, reach: f64) -> Option<DVector<f64>> {
         let (mut x, mut newton, mut last) = (trial.clone(), Newton::new(), f64::INFINITY);
         for corrections in 1..=MOST_CORRECTIONS {
@@ -73,7 +74,8 @@ impl<'a> Corrector<'a> {
         None
     }
 
-    /// The unit tangent of the curve at x, oriented such that its product with `along` is positive.
+    /// The unit tangent of the curve at the scaled point x, oriented such that its product with `along` is positive. `None`
+    /// if the equations have no unique solution at x.
     pub fn direction(&mut self, x: &DVector<f64>, along: &DVector<f64>) -> Option<DVector<f64>> {
         let (matrix, mut right) = self.bordered(x, along)?;
         right.fill(0.0);

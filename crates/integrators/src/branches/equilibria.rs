@@ -19,7 +19,8 @@ impl<'a> Equilibria<'a> {
         Equilibria { law, jacobian, rates: vec![0.0; count], square: vec![0.0; count * count] }
     }
 
-    /// The Jacobian df/dy without the parameter: its dimension n, and its n x n entries in row order.
+    /// The Jacobian df/dy at x, without the parameter, which is the last entry of x: its dimension n, and its n x n entries
+    /// in row order.
     pub fn linearised(&mut self, x: &[f64]) -> (usize, Vec<f64>) {
         self.jacobian.matrix(0.0, x, &mut self.square);
         let n = x.len().saturating_sub(1);

@@ -23,7 +23,7 @@ pub struct PeriodicMotions<'a> {
 }
 
 impl<'a> PeriodicMotions<'a> {
-    /// The equations y(T) - y(0) = shift. State number `section` has the value `value` at time zero; the period T
+    /// The equations y(T) - y(0) = shift, one for each state but the parameter. State number `section` has the value `value` at time zero; the period T
     /// replaces it among the unknowns.
     pub fn new(law: &'a dyn System, tolerance: f64, shift: &[f64], (section, value): (usize, f64)) -> Self {
         let count = Ode::<f64>::dimension(law);
@@ -39,7 +39,7 @@ impl<'a> PeriodicMotions<'a> {
         }
     }
 
-    /// The state at time zero, parameter included, and the period T.
+    /// The state at time zero, parameter included, and the period T in s, from the unknowns x.
     pub fn motion(&self, x: &[f64]) -> (Vec<f64>, f64) {
         let mut start = x.to_vec();
         let lasts = std::mem::replace(&mut start[self.section], self.value);
@@ -47,7 +47,7 @@ impl<'a> PeriodicMotions<'a> {
     }
 
     /// The Jacobian of the return map, with respect to all states but that of the section and the parameter: its
-    /// dimension m, and its m x m entries.
+    /// dimension m, and its m x m entries in row order.
     ///
     /// # Errors
     /// [`Failure`] where the run over one period fails.

@@ -73,7 +73,8 @@ mod tests {
     use super::eigenvalues;
     use nalgebra::{Complex, DMatrix};
 
-    /// Two unstable directions with gyroscopic coupling and one decoupled coordinate, in each order of the coordinates.
+    /// x'' = 4 x - 2 y', y'' = 4 y + 2 x', and a fifth state that is constant. The matrix of the state x, y, x', y' and the fifth is tested with
+    /// its rows and columns in 5 cyclic orders.
     #[test]
     fn eigenvalues_that_lie_symmetrically_about_zero_are_found() {
         for order in 0..5 {

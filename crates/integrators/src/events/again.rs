@@ -96,8 +96,9 @@ impl Again<'_> {
     /// The zero of a function of the signals which is nonnegative at the beginning, by Newton's method with bisection
     /// as a safeguard. Returns the zero and the last instant at which the function was positive. Where the motion
     /// cannot be integrated close to the zero, as at a coordinate singularity, the zero of the chord across that gap is
-    /// returned. With `ends_above`, an instant that cannot be computed counts as beyond the zero. `None` where the
-    /// integration fails otherwise.
+    /// returned. With `ends_above`, an instant that cannot be computed counts as beyond the zero. `step` is the start of
+    /// the step, `from` and `end` are the ends of the search; `function` returns the value and its rate (1/s). `None` if
+    /// the integration fails otherwise.
     pub fn root(
         &mut self,
         step: &Instant,

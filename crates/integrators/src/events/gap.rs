@@ -10,7 +10,7 @@ pub(super) struct Gap {
 }
 
 impl Gap {
-    /// The gap extended by one more failed instant.
+    /// The gap `known` extended by the failed instant `time`; `None` stands for no gap so far.
     pub fn with(known: Option<Gap>, time: f64) -> Self {
         let Some(Gap { ends: [first, last], found }) = known else { return Gap { ends: [time; 2], found: 1 } };
         Gap { ends: [first.min(time), last.max(time)], found: found + 1 }

@@ -72,7 +72,7 @@ pub struct Event {
 }
 
 /// Integrates to the first event, the end of the span, or a failure. The state of the outcome is that at the event. The
-/// observer receives no output beyond the event.
+/// observer receives no output beyond the event. The event is `None` if the span ended or the run failed first.
 pub fn integrate_to_event(
     system: &dyn System,
     method: Method,

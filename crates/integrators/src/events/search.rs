@@ -58,7 +58,8 @@ pub(super) enum Seen {
 
 impl Search<'_, '_> {
     /// The error bound of the cubic over a step, from its own deviation and from the extrapolated cubic of the previous
-    /// step.
+    /// step. Each pair is a signal and its time: at the start of the previous step (`None` in the first step), and at the
+    /// two ends of this step.
     pub fn doubt(before: Option<(Signal, f64)>, [(a, begin), (b, end)]: [(Signal, f64); 2]) -> f64 {
         let own = OF_BOW * Bounds::new(a, b, end - begin, 0.0).bow();
         let continued = before.map_or(0.0, |(signal, time)| {
@@ -75,7 +76,9 @@ impl Search<'_, '_> {
         Seen::Happened(Event { signal: self.signal, what, time: instant.time }, instant.state)
     }
 
-    /// Examines the interval from a to b, in halves while the bounds do not decide.
+    /// Examines the interval from a to b, in halves while the bounds do not decide, at most `halvings` times. `armed`:
+    /// whether the signal has been positive; `doubt`: the error bound of the cubic. `None` if an instant between them cannot
+    /// be examined.
     pub fn look(&mut self, [a, b]: [&Instant; 2], armed: bool, doubt: f64, halvings: u32) -> Option<Seen> {
         let (left, right) = (self.of(a), self.of(b));
         let bounds = Bounds::new(left, right, b.time - a.time, doubt);

@@ -17,7 +17,7 @@ use crate::Real;
 /// A composition, named by authors and order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Splitting {
-    /// chi*(h/2) chi(h/2) (Strang 1968): order 2, no negative sub-step.
+    /// chi*(h/2) chi(h/2), where chi composes the flows of the pieces and chi* composes them in the reverse order (Strang 1968): order 2, no negative sub-step.
     Strang,
     /// S6 of Blanes and Moan (2002): order 4, 6 stages; the most negative sub-step of the first piece is 0.042.
     BlanesMoan4,
@@ -106,8 +106,8 @@ impl Splitting {
         shares.fold(0.0, |back, share| (-share).max(back))
     }
 
-    /// The sequence of sub-flows of a step for `pieces` >= 1 pieces: the index of the piece, and its fraction of the
-    /// step.
+    /// The sequence of sub-flows of a step for `pieces` >= 1 pieces: for each the index of the piece, and the
+    /// fraction of the step, which may be negative.
     pub fn schedule<S: Real>(self, pieces: usize) -> Vec<(usize, S)> {
         let mut schedule: Vec<(usize, S)> = Vec::new();
         for (place, share) in self.coefficients::<S>().into_iter().enumerate() {

@@ -61,7 +61,8 @@ impl Columns {
         Columns { damped: true, ..self }
     }
 
-    /// Records the error of row j >= 2. Returns the result of the attempt once it is decided.
+    /// Records the error of row j >= 2, divided by the tolerance. Returns the result of the attempt of length `step`, or
+    /// `None` if a further row must be computed.
     pub fn judge(&mut self, j: usize, error: f64, step: f64) -> Option<Attempt> {
         if !error.is_finite() {
             return Some(self.fail(step, Cause::Undefined));

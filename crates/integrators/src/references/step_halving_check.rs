@@ -49,8 +49,8 @@ const WHOLE: f64 = 0.5;
 /// A state smaller than this fraction of the largest state is rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Checks a run that reached its end by runs with half its step and, if necessary, a quarter. `None` for methods with
-/// step size control.
+/// Checks a run that reached its end by runs with half its step and, if necessary, a quarter. `record` holds the outputs of this run; `run` repeats
+/// it by a given method, with outputs at the same times. Returns `None` for methods with step size control.
 pub fn check_by_step_halving(
     method: Method,
     record: &Record<f64>,

@@ -150,7 +150,7 @@ impl<'a, S: Real> BudgetedRhs<'a, S> {
         self.undefined.replace(false)
     }
 
-    /// The failure due to an exhausted budget.
+    /// The failure at the time `at` (s) due to an exhausted budget; `None` while the budget lasts.
     pub fn exhausted(&self, at: f64) -> Option<Failure> {
         self.spent.get().map(|spent| match spent {
             Spent::Evaluations => Failure::TooManyEvaluations { at, allowed: self.allowed },

@@ -91,7 +91,7 @@ impl std::ops::Add for Work {
 }
 
 impl<S> Outcome<S> {
-    /// The failure, if the run failed.
+    /// The failure; `None` if the run reached its end or was halted.
     pub fn failure(&self) -> Option<Failure> {
         match self.end {
             End::Reached | End::Halted => None,

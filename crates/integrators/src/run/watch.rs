@@ -99,12 +99,12 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         }
     }
 
-    /// The time of the next output, s.
+    /// The time of the next output, s; `None` after the last one.
     pub fn output(&self) -> Option<f64> {
         self.span.outputs.get(self.next_output).copied()
     }
 
-    /// The run's time of the next output, if it is at most tau.
+    /// The time of the next output since the start of the run, s; `None` if it is after tau or there is none.
     pub fn output_up_to(&self, tau: S) -> Option<S> {
         self.output().map(|time| self.span.since_start(time)).filter(|at| *at <= tau)
     }

@@ -88,7 +88,7 @@ const NEAR: f64 = 2.0;
 const FEW: usize = 3;
 
 /// The times of runs that reached their ends, measured in turns. Runs near the Pareto front get more measurements. The
-/// cheapest runs come first, so that the most expensive ones are skipped if the time is short.
+/// cheapest runs come first, so that the most expensive ones are skipped if the time is short: these have `None`.
 pub fn measure(runs: &[Timed<'_>], allowed: Duration) -> Vec<Option<Median>> {
     let deadline = Instant::now() + allowed;
     // outputs do not affect the steps and are not timed

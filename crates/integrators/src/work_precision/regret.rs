@@ -38,7 +38,7 @@ pub struct Regrets {
 }
 
 impl Regrets {
-    /// The regrets from the costs `costs[method][problem]`.
+    /// The regrets from the costs `costs[method][problem]`; `None` where the error was not reached.
     pub fn of(costs: &[Vec<Option<f64>>]) -> Self {
         let columns = costs.iter().map(Vec::len).max().unwrap_or(0);
         let entry = |row: usize, column: usize| costs[row].get(column).copied().flatten();
@@ -65,7 +65,8 @@ impl Regrets {
         self.rows[row].iter().flatten().copied().reduce(f64::max)
     }
 
-    /// The method that solves the most problems, and of these the one with the smallest maximum regret.
+    /// The method that solves the most problems, and of these the one with the smallest maximum regret, by its
+    /// row; `None` if no method solves a problem.
     pub fn best_single_choice(&self) -> Option<usize> {
         let all = (0..self.rows.len()).filter_map(|row| Some((row, self.served(row), self.largest(row)?)));
         all.min_by(|a, b| b.1.cmp(&a.1).then(a.2.total_cmp(&b.2))).map(|(row, ..)| row)

@@ -14,6 +14,10 @@ use units::nearest;
 const BARE: [&str; 9] = ["sinh", "cosh", "tanh", "sin", "cos", "tan", "exp", "sqrt", "frac"];
 
 impl Reader<'_> {
+    /// Reads a factor at the present token: a number, letter, group, fraction or function, with its exponents.
+    ///
+    /// # Errors
+    /// No factor begins here, or it can be read in two ways; the message states an accepted spelling.
     pub(super) fn factor(&mut self) -> Read<Term> {
         let start = self.at;
         let Some(token) = self.peek() else {

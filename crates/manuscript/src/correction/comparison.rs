@@ -62,7 +62,8 @@ impl<G: Ground> Side<'_, G> {
         self.ground.text()
     }
 
-    /// The edited formula with the letter of the unknown term as a further term of this side.
+    /// The formula after `edits`, with the letter [`SOUGHT`] added to this side: it stands for a missing term. `None` if the formula already contains
+    /// this letter, edits overlap, or the edited text cannot be read.
     fn asked(&self, edits: &[Edit]) -> Option<latex::Statement> {
         let mut known = self.ground.known();
         if known.iter().any(|name| name == SOUGHT) {

@@ -316,7 +316,7 @@ fn pairs<'a>(edits: &'a [&Edit]) -> impl Iterator<Item = Vec<Edit>> + 'a {
     each.take(MOST_PAIRS)
 }
 
-/// The edited formula, and the ranges of the edits in it; `None` if two edits overlap.
+/// The text of the formula after all edits, and for each part of an edit its range of bytes in the new text; `None` if two edits overlap.
 pub(super) fn edited(formula: &str, edits: &[Edit]) -> Option<(String, Vec<Range<usize>>)> {
     let behind = |place: usize| &edits[place + 1..];
     if edits.iter().enumerate().any(|(place, one)| behind(place).iter().any(|other| !apart(one, other))) {

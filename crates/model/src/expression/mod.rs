@@ -30,9 +30,9 @@ pub type Part = usize;
 /// The syntax tree of an expression. Operands precede the operations on them; the last node is the whole expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expression {
-    /// The nodes.
+    /// The nodes of the tree, operands before operations; the last one is the whole expression.
     pub parts: Vec<Form>,
-    /// The range of bytes of each node.
+    /// For each node the range of bytes in the text from which it was read.
     pub spans: Vec<Range<usize>>,
 }
 

@@ -53,7 +53,7 @@ enum Law {
     Alone(String),
 }
 
-/// A number of the model that may vary among members, by its index.
+/// A number of the model that may vary among members. Each variant holds the index of the number in the model's list.
 #[derive(Clone, Copy, Debug)]
 enum Target {
     /// A parameter.

@@ -4,12 +4,12 @@ use super::currents::Currents;
 use crate::linearisation::{At, Point, Values};
 use nalgebra::{DMatrix, DVector};
 
-/// A law holds if its residual is below this part of the sum of its absolute terms.
+/// A law is satisfied if its residual is below this fraction of the sum of the absolute values of its terms.
 const MET: f64 = 1e-10;
 
 /// The laws at a point. Columns of the Jacobian: open speeds, open accelerations, multipliers.
 pub(super) struct Laws {
-    /// The residual of each law.
+    /// The residual of each law, in the unit of the law.
     pub residuals: DVector<f64>,
     /// Derivatives of the residuals, one row for each law.
     pub jacobian: DMatrix<f64>,

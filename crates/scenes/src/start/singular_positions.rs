@@ -82,8 +82,9 @@ pub(crate) struct SingularPositions {
 struct Look {
     /// State and parameters.
     input: Vec<f64>,
+    /// The outputs of the program of the constraints: values of all constraints, their time derivatives, and the rows of the Jacobian.
     values: Vec<f64>,
-    /// The scaled rows of J.
+    /// The scaled rows of the Jacobian J, one row for each retained constraint and one column for each speed.
     rows: DMatrix<f64>,
     /// The largest scaled residual of the position constraints.
     off: f64,

@@ -253,7 +253,9 @@ fn at_rest(trace: &Trace<'_>, rows: Vec<Sym>, but: &[(Sym, Sym)]) -> Vec<Sym> {
     substitute_all(&rows, &but.iter().copied().chain(rests).collect::<Vec<_>>())
 }
 
-/// The equations along displacements that the constraints of speeds allow (Maggi).
+/// The equations along displacements that the constraints of speeds allow (Maggi). `residuals` has one equation for each speed; `of_speeds` are the
+/// constraints of speeds, whose reactions are set to zero. A pair (k, rate) of `determined` says that a constraint determines speed k as the expression
+/// `rate` of the independent speeds. The result has one row for each speed, which is zero for a determined one.
 fn projected(trace: &Trace<'_>, residuals: &[Sym], of_speeds: &[Equation], determined: &[(usize, Sym)]) -> Vec<Sym> {
     let n = trace.speeds.len();
     let known: Vec<(Sym, Sym)> = determined.iter().map(|&(k, rate)| (trace.speeds[k], rate)).collect();

@@ -61,7 +61,8 @@ fn a_generator_has_the_current_of_its_steady_short_circuit() {
     close(last(&trajectory, "torque") * w / 2.0, 0.8 * current * current, 1e-4);
 }
 
-/// Steady state: U = (R + m w) i and m i^2 = c w^2.
+/// In the steady state the voltage is U = (R + m w) i, and the torque m i^2 equals the torque c w^2 of the fan. Here i is the current, w the speed,
+/// R the resistance, m the motor constant.
 #[test]
 fn a_series_motor_settles_where_its_fan_takes_the_torque() {
     let trajectory = runs(&stored("series_motor"));
@@ -70,7 +71,8 @@ fn a_series_motor_settles_where_its_fan_takes_the_torque() {
     close(0.1 * current * current, 2e-4 * speed * speed, 1e-8);
 }
 
-/// Steady state: U = R_a i_a + m i_f w and m i_f i_a = c w, with i_f = U/R_f.
+/// In the steady state the voltage is U = R_a i_a + m i_f w, and the torque m i_f i_a equals the load c w. Here a is the armature, f the field with
+/// the current i_f = U/R_f.
 #[test]
 fn a_shunt_motor_settles_after_its_resistor_is_bridged() {
     let trajectory = runs(&stored("shunt_motor"));

@@ -72,7 +72,8 @@ fn a_law_whose_derivative_jumps_has_a_kink() {
     }
 }
 
-/// A particle on springs in a plane, with drag proportional to the square of its speed.
+/// A particle on springs in a plane, with linear damping. A drag proportional to the square of its speed does not change the verdict of the linear
+/// equations; a drag proportional to |v| has no derivative at rest, and no verdict is given.
 #[test]
 fn a_drag_with_the_length_of_the_velocity_has_no_part_in_the_linear_equations_at_rest() {
     let verdict = |stiffness: &str, drag: &str| {

@@ -35,7 +35,8 @@ impl<'a> LaneEnd<'a> {
         (self.margins)(time, &self.state, &self.rates)
     }
 
-    /// The last time at which the law is valid, and the reason; `None` where it is valid in the whole interval.
+    /// The last time at which the law is valid, and the reason; `None` if it is valid in the whole interval. Each end of the
+    /// interval is given by its time (s) and the margins then.
     pub fn first(&mut self, [begin, end]: [(f64, &Vec<Margin>); 2]) -> Option<(f64, &'static str)> {
         let ends = begin.1.iter().zip(end.1);
         if ends.into_iter().any(|(before, after)| is_open(before, after, end.0 - begin.0)) {

@@ -67,7 +67,8 @@ impl Position {
 }
 
 impl<'a> Continuation<'a> {
-    /// The continuation of a motion that reached a singular position with an event. `None` where no pair of sums
+    /// The continuation of a motion that reached a singular position with an event. `event` is its time (s), `met` the state
+    /// then. `None` where no pair of sums
     /// agrees, or where a switch or another margin falls before the state beyond.
     pub fn of(
         (law, tolerance): (&'a dyn System, &Tolerance),
@@ -132,7 +133,8 @@ impl<'a> Continuation<'a> {
         })
     }
 
-    /// The motion away from a singular position near its start, up to a state with positive margins.
+    /// The motion away from a singular position near its start, up to a state with positive margins. `span` is the length of
+    /// the run in s. `None` if the law has no Taylor series, or no such state is found.
     pub fn leaving(
         (law, tolerance): (&'a dyn System, &Tolerance),
         start: &Instant,
@@ -161,7 +163,8 @@ impl<'a> Continuation<'a> {
         state
     }
 
-    /// Reports to the observer the samples from an event to `end`, and the state there. Returns the number of samples.
+    /// Reports to the observer the samples at `outputs` (s) from an event to `end`, both times in s, and the state there.
+    /// `states` is the number of states that are reported. Returns the number of samples.
     pub fn show(
         &self,
         outputs: &[f64],

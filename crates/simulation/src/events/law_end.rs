@@ -38,7 +38,7 @@ pub struct Ending<'a> {
 
 impl Ending<'_> {
     /// Integrates over a span, or to the end of the validity of the law: the outcome is then the last valid state, with
-    /// the reason.
+    /// the reason. The reason is `None` if the law stays valid.
     pub fn integrate(
         &self,
         (method, tolerance): (Method, &Tolerance),
@@ -74,7 +74,7 @@ impl Ending<'_> {
     }
 }
 
-/// The reason of the first margin that is not positive, or NaN.
+/// The reason of the first margin that is not positive or is NaN; `None` if all margins are positive.
 pub fn outside(margins: &[Margin]) -> Option<&'static str> {
     margins.iter().find(|margin| margin.value.is_nan() || margin.value <= 0.0).map(|margin| margin.what)
 }
@@ -135,13 +135,13 @@ pub(super) struct SwitchesAndEnds<'a> {
 }
 
 impl SwitchesAndEnds<'_> {
-    /// The margin at which the law ends, if the event is the zero of a margin.
+    /// The margin at which the law ends; `None` if the event is the zero of a switch.
     pub fn end(&self, event: &Event, state: &[f64]) -> Option<Margin> {
         let margin = event.signal.checked_sub(self.switches.count())?;
         self.ends.as_ref()?.at(event.time, state).get(margin).copied()
     }
 
-    /// The margin of a singular position that is not positive at a state, with its rate (1/s).
+    /// The margin of a singular position that is not positive at a state, with its rate (1/s); `None` if there is none.
     pub fn beside(&self, time: f64, state: &[f64]) -> Option<(Margin, f64)> {
         let ends = self.ends.as_ref()?;
         let place = ends.at(time, state).iter().position(|margin| margin.goes_on && margin.value <= 0.0)?;
@@ -155,7 +155,8 @@ impl SwitchesAndEnds<'_> {
         self.ends.as_ref().is_none_or(|ends| outside(&ends.at(time, state)).is_none())
     }
 
-    /// Whether all margins are positive at a state, and no switch that was positive at an event has fallen since.
+    /// Whether all margins are positive at a state, and no switch that was positive at an event has fallen since. Each pair
+    /// is a time (s) and the state then.
     pub fn hold(&self, event: (f64, &[f64]), (time, state): (f64, &[f64])) -> bool {
         let signals = |time: f64, state: &[f64]| {
             let mut signals = vec![Signal::default(); self.count()];

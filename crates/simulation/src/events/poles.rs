@@ -80,7 +80,7 @@ pub(super) struct PoleWatch<'a> {
 }
 
 impl<'a> PoleWatch<'a> {
-    /// Begins the observation of a run at a time and a state.
+    /// Begins the observation of a run at its start, a time (s) and a state.
     pub fn new(
         (law, tolerance): (&'a dyn System, &'a Tolerance),
         (time, state): (f64, &[f64]),
@@ -103,7 +103,8 @@ impl<'a> PoleWatch<'a> {
         }
     }
 
-    /// The last state before a pole or a jump, with the reason, if the run has reached one, also within its last step.
+    /// The last state before a pole or a jump, as time (s), state and reason; also if it lies within the last
+    /// step of the run. `None` if the run has reached none.
     pub fn end(mut self, Outcome { time, state, .. }: &Outcome<f64>) -> Option<(f64, Vec<f64>, &'static str)> {
         if let Some(why) = self.why.or_else(|| self.passed(*time, state)) {
             return Some((self.before.time, self.before.state, why));

@@ -51,7 +51,8 @@ impl Trail {
         Some(Trail { states, spare: Vec::new() })
     }
 
-    /// The trail with additional states before its first one, for a run that began close to an event.
+    /// The trail with additional states before its first one, for a run that began close to an event. `None`
+    /// if the trail is empty, or no such states are found.
     pub fn extended(&self, law: &dyn System, event: f64, switches: &SwitchesAndEnds<'_>) -> Option<Self> {
         let first = self.states.first()?;
         let mut states = away(law, first, first.0 - event, (switches, BEFORE))?;
@@ -60,11 +61,13 @@ impl Trail {
         Some(Trail { states, spare: Vec::new() })
     }
 
+    /// Forgets all states, and begins the trail with this one at a time (s).
     pub fn restart(&mut self, time: f64, state: &[f64]) {
         self.spare.extend(self.states.drain(..).map(|(_, room)| room));
         self.step(time, state);
     }
 
+    /// Adds a state at a time (s). If the trail is full, some earlier states are left out.
     pub fn step(&mut self, time: f64, state: &[f64]) {
         if self.states.len() == MOST {
             let mut kept = f64::INFINITY;
@@ -84,6 +87,7 @@ impl Trail {
 
     /// Chains of states towards an event, the nearest chain first. Each begins with a state of the trail and continues
     /// with Taylor's method: states of a chain differ from one motion by rounding only, whatever the method of the run.
+    /// `None` if the law has no Taylor series.
     pub fn chains(&self, law: &dyn System, event: f64) -> Option<Vec<Vec<Instant>>> {
         let mut path = Path::of(law)?;
         let mut chains: Vec<Vec<Instant>> = Vec::new();

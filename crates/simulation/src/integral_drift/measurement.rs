@@ -131,7 +131,8 @@ fn over_span(motion: &MotionWithIntegrals<'_>, method: Method, length: f64) -> R
 }
 
 /// Measures each integral along a run of several windows with a method with equal steps, whose number per window is an
-/// integer. Changes are relative to `sizes`. For a motion without a period the run is its span alone. `None` for an
+/// integer. Changes are relative to `sizes`, one for each integral. `windows` is the number of windows of the
+/// run. For a motion without a period the run is its span alone. `None` for an
 /// integral for which no two windows agree.
 ///
 /// # Errors

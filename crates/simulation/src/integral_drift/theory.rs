@@ -36,7 +36,7 @@ const ULPS: f64 = 4.0;
 const BETWEEN: f64 = 0.5;
 
 /// The drift of every integral for a method with equal steps, whose number per window is an integer. Rounding is
-/// relative to `sizes`. `None` where `goes_on` ended the computation.
+/// relative to `sizes`, one for each integral. `None` where `goes_on` ended the computation.
 ///
 /// # Errors
 /// [`Failure`] where the exact motion, or a step, fails.

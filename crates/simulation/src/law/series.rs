@@ -45,7 +45,7 @@ impl LawSeries {
         })
     }
 
-    /// The Taylor series by a recurrence that `record` computes.
+    /// The Taylor series by a recurrence that `record` computes; it returns `None` if the law has no such recurrence.
     pub fn by(record: impl Fn() -> Option<Expandable> + Send + Sync + 'static) -> Self {
         LawSeries {
             record: Box::new(record),
@@ -56,17 +56,17 @@ impl LawSeries {
         }
     }
 
-    /// The Taylor series in `f64`.
+    /// The Taylor series in `f64`; `None` if the law has no recurrence.
     pub fn plain(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
         self.kept(&self.spare)
     }
 
-    /// The Taylor series with derivatives in eight directions.
+    /// The Taylor series with derivatives in eight directions; `None` if the law has no recurrence.
     pub fn directed(&self) -> Option<Box<dyn TaylorSeries<Variations> + '_>> {
         self.kept(&self.directed)
     }
 
-    /// The Taylor series in double-double.
+    /// The Taylor series in double-double; `None` if the law has no recurrence.
     pub fn exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
         self.kept(&self.finer)
     }

@@ -106,7 +106,9 @@ pub struct Followed {
     pub events: Vec<At>,
 }
 
-/// The motion on which two methods agree. `words` gives two texts for each event: the event, and the subsequent law.
+/// The motion on which two methods agree, at the output times `times` (s). `sizes` has the size of each state. Each method
+/// gets half of the time `allowed`. `follow` computes the motion by the given means, and returns them with the work done.
+/// `words` gives two texts for each event: the event, and the subsequent law.
 ///
 /// # Errors
 /// [`Unknown`] where a method fails, or the two do not agree.

@@ -45,7 +45,7 @@ pub struct Means {
 }
 
 impl Means {
-    /// The state at the time `to` of the motion with the state `y` at the time `from`. `bounds` are the bounds of the
+    /// The state at the time `to` (s) of the motion with the state `y` at the time `from`. `bounds` are the bounds of the
     /// step size over this interval.
     ///
     /// # Errors

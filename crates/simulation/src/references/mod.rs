@@ -17,10 +17,11 @@ use std::time::{Duration, Instant};
 pub(crate) const INSTANTS: usize = 8;
 
 impl Problem {
-    /// The reference solution for measuring errors. It is not timed, so that several can be computed in parallel.
+    /// The reference solution from which errors are measured, at 8 output times besides the start. The computation ends after the time `allowed`.
+    /// It measures no times, so that several references can be computed in parallel.
     ///
     /// # Errors
-    /// [`Failure`] where a method fails, or the two do not agree.
+    /// [`Failure`] if a method fails, the two methods do not agree, or the time is over.
     pub fn reference(&self, allowed: Duration) -> Result<Reference, Failure> {
         reference(&*self.law, &self.instants().with_deadline(Instant::now() + allowed))
     }

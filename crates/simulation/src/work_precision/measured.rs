@@ -64,7 +64,8 @@ impl Default for Trials {
 }
 
 /// The atlas of a scene without timing, so that several scenes can be evaluated in parallel. The first configuration
-/// must be that of the problem. A stored reference is used if it belongs to the problem.
+/// must be that of the problem. A stored reference is used if it belongs to the problem; else, or if `kept`
+/// is `None`, a reference is computed within the time `patience`.
 ///
 /// # Errors
 /// [`Failure`] where there is no reference.
@@ -84,7 +85,8 @@ pub fn judged(
     Ok(Atlas::judged(ways, reference, &goal, problem.span, trials))
 }
 
-/// The atlas without timing. A stored reference is used if it belongs to the scene. A motion that ends by itself is
+/// The atlas without timing. A stored reference is used if it belongs to the scene; else, or if `kept` is
+/// `None`, a reference is computed within the time `patience`. A motion that ends by itself is
 /// compared until shortly before its end.
 ///
 /// # Errors

@@ -117,7 +117,8 @@ impl<'a, S: Real> Implicit<'a, S> {
         }
     }
 
-    /// Predicts the stages by extrapolation of the last step's polynomial; with zero in the first step.
+    /// Predicts the stages of a step of size `step`, as increments `z` from its start, by extrapolation of the last step's polynomial. In the first step
+    /// the prediction is zero.
     fn predict(&mut self, step: f64) {
         let n = self.n;
         let Some(last) = self.known_step else {

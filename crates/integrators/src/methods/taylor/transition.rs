@@ -17,7 +17,7 @@ pub struct Transition {
     pub steps: u64,
 }
 
-/// Integrates a state and its derivatives with respect to the initial state from one time to another. The tolerance
+/// Integrates a state and its derivatives with respect to the initial state from the time `from` to `to` (s). The tolerance
 /// applies to the state, and to each column of derivatives relative to its largest entry.
 ///
 /// # Errors

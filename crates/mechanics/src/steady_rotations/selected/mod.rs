@@ -59,11 +59,11 @@ pub enum Undecided {
 /// The algebraic data of a motion.
 #[derive(Clone)]
 enum RotationPlace {
-    /// The root x; s is a fraction there.
+    /// x is a root of the resultant, and s = -ratio[0]/ratio[1] at x.
     Regular(Root),
-    /// s and x, where several s belong to one x.
+    /// A pair (s, x) where several s belong to the root x of the resultant.
     Shared(Nested, Root),
-    /// The root s at an eigenvalue whose eigenvector is orthogonal to h and G.
+    /// x is the eigenvalue with this index, whose eigenvector is orthogonal to h and G; s is a root of the remaining equation.
     Unseen { eigenvalue: usize, s: Nested },
     /// A solution at an eigenvalue whose eigenvector is orthogonal to s h + s^2 G for one s.
     Seen(Arc<seen::Special>),

@@ -1,4 +1,4 @@
-//! Angles as linear combinations of terms with rational coefficients, and their addition.
+//! Angles as linear combinations of terms with rational coefficients, such as 2*a - b/2, and sums and differences of such angles.
 
 use field::Rational;
 

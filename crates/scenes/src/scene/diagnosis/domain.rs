@@ -97,12 +97,14 @@ pub(super) fn margin(model: &Model, domain: &Domain) -> Option<impl Fn(f64, &[f6
     })
 }
 
+/// The rates of all states at a time (s) and a state, in SI units per second.
 pub(super) fn rates(run: &Samples<'_>, time: f64, state: &[f64]) -> Vec<f64> {
     let mut rates = vec![0.0; state.len()];
     Ode::<f64>::rates(&*run.scene.system, time, state, &mut rates);
     rates
 }
 
+/// The state after one step of Euler's method: state + h rates, with h in s.
 fn moved(state: &[f64], rates: &[f64], h: f64) -> Vec<f64> {
     state.iter().zip(rates).map(|(value, rate)| value + h * rate).collect()
 }
@@ -116,7 +118,8 @@ const NEAR: f64 = 4.0;
 /// An adaptive method stopped at the boundary if the margin is below this fraction of its largest value.
 const CLOSE: f64 = 1e-3;
 
-/// The largest value of a margin along the run.
+/// The largest value of a margin along the run, or 0 if the margin is nowhere positive. `margin` maps time (s) and state to the margin of the law's
+/// domain, in the margin's unit.
 fn largest(run: &Samples<'_>, margin: &impl Fn(f64, &[f64]) -> f64) -> f64 {
     run.sound().iter().map(|(time, state)| margin(*time, state)).fold(0.0, f64::max)
 }

@@ -185,7 +185,8 @@ fn law_at(run: &Samples<'_>, (time, state): (f64, &[f64])) -> Arc<dyn Law> {
     here.as_ref().unwrap_or(&run.scene.system).law()
 }
 
-/// The longest step for which a method does not amplify a mode, by bisection below the unstable step `grows`; `None` if it is zero.
+/// The longest step in s for which a method does not amplify the mode with the eigenvalue `value` in 1/s, by bisection between 0 and the unstable step
+/// `grows` in s; `None` if every tested step amplifies the mode.
 fn longest(method: Method, value: Complex<f64>, grows: f64) -> Option<f64> {
     let (mut fades, mut grows) = (0.0, grows);
     for _ in 0..HALVINGS {
@@ -195,7 +196,7 @@ fn longest(method: Method, value: Complex<f64>, grows: f64) -> Option<f64> {
     (fades > 0.0).then_some(fades)
 }
 
-/// The factor |R(z)| by which a step multiplies a mode, with the stability function R of Euler's or the classical Runge-Kutta method.
+/// The factor |R(z)| by which a step multiplies a mode, where z is the step times the eigenvalue, with the stability function R of Euler's or the classical Runge-Kutta method.
 fn amplified(method: Method, z: Complex<f64>) -> f64 {
     let one = Complex::new(1.0, 0.0);
     match method {

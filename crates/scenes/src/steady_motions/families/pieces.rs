@@ -50,7 +50,8 @@ pub(in crate::steady_motions) struct Piece {
     alone: Vec<Interval>,
     /// Whether the further conditions are proved for all solutions of the piece.
     pub holds: bool,
-    /// The box with parameters narrower by rounding, if all its solutions satisfy the conditions or lie at the zero of one.
+    /// The enclosure with the intervals of its parameters made narrower by rounding; `None` unless every solution in it satisfies the further
+    /// conditions or lies at a zero of one of them.
     pub inner: Option<Vec<Interval>>,
 }
 
@@ -65,7 +66,9 @@ impl Piece {
 #[derive(Debug, Default)]
 pub(in crate::steady_motions) struct Pieces {
     pub pieces: Vec<Piece>,
+    /// Boxes that may contain solutions, each with an interval for every unknown.
     pub undecided: Vec<Vec<Interval>>,
+    /// The number of boxes that were examined.
     pub examined: usize,
 }
 

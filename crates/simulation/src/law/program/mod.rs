@@ -36,7 +36,7 @@ impl Program {
         Program::recorded(tape(n, function)?)
     }
 
-    /// As [`Program::of`] without machine code, for a few evaluations only.
+    /// As [`Program::of`] without machine code, for a few evaluations only. `None` if an expression is undefined.
     pub fn for_few(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym> + Send) -> Option<Self> {
         Some(Program::without_code(tape(n, function)?))
     }
@@ -46,7 +46,7 @@ impl Program {
         Program::recorded(tape)
     }
 
-    /// The program of the rates of a law.
+    /// The program of the rates of a law; `None` if a rate is undefined.
     pub fn of_law(law: &(impl Ode<Sym> + Sync + ?Sized)) -> Option<Self> {
         traced(law, |TracedOde { state, time, rates }| {
             Program::recorded(Tape::record(&[&state[..], &[*time]].concat(), rates).ok()?.arranged())
@@ -85,7 +85,7 @@ impl Program {
         self.code.is_some()
     }
 
-    /// The size of the machine code in bytes, including constants.
+    /// The size of the machine code in bytes, including constants; `None` if the program is interpreted.
     pub fn code_size(&self) -> Option<usize> {
         self.code.as_ref().map(|code| code.size())
     }

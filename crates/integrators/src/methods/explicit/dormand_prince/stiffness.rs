@@ -65,7 +65,7 @@ impl<'a> Stiffness<'a> {
     }
 
     /// Whether the eigenvalues at the end of a step limit its size: `stable` bounds |h lambda| for modes that do not
-    /// grow.
+    /// grow, `step` is h in s, and `tau` is the time of the run at the end of the step.
     pub fn is_confirmed(
         &mut self,
         (stable, step): (f64, f64),
