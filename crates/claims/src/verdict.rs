@@ -68,7 +68,7 @@ impl Verdict {
             Verdict::Proved => "holds for all values within the stated hypotheses",
             Verdict::Enclosed => "shown on the stated set by interval or certificate arithmetic",
             Verdict::Identified => {
-                "holds at random points of random prime fields, with a stated bound on the probability of error"
+                "holds at random points modulo large random primes, with a stated bound on the probability of error"
             }
             Verdict::Tested => "held wherever it was tried; not a proof",
             Verdict::Definition => "introduces a name; makes no claim",

@@ -79,12 +79,12 @@ impl fmt::Display for Agreement {
             Self::Theorem { points, error } => write!(
                 f,
                 "proved by the theorem on principles: equal for any masses, inertias and forces; these equations are equal at {points} random \
-                 points of random prime fields (probability of error below 2^{:.0})",
+                 points modulo large random primes (probability of error below 2^{:.0})",
                 error.ceil()
             ),
             Self::Identified { points, error } => write!(
                 f,
-                "identified: equal at {points} random points of random prime fields; the probability of error is below 2^{:.0}",
+                "identified: equal at {points} random points modulo large random primes; the probability of error is below 2^{:.0}",
                 error.ceil()
             ),
             Self::Tested { points, digits } => {

@@ -34,7 +34,7 @@ pub struct Varied {
     pub values: Vec<Sym>,
     /// The derivatives by the coordinate of each speed (for a free frame by rotations about its axes): one row per expression.
     pub by_coordinates: Vec<Vec<Sym>>,
-    /// The partial derivatives by the speeds.
+    /// The partial derivatives with respect to the speeds.
     pub by_speeds: Vec<Vec<Sym>>,
     /// The partial derivatives by the accelerations.
     pub by_accelerations: Vec<Vec<Sym>>,
@@ -42,7 +42,7 @@ pub struct Varied {
     pub by_multipliers: Vec<Vec<Sym>>,
     /// The partial derivatives by the inputs.
     pub by_inputs: Vec<Vec<Sym>>,
-    /// The partial derivatives by the time, one for each expression.
+    /// The partial derivatives with respect to the time, one for each expression.
     pub by_time: Vec<Sym>,
 }
 

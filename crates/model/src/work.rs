@@ -59,11 +59,13 @@ impl fmt::Display for Work {
             (true, _) => write!(f, "normal forms of {} operations", self.operations)?,
             (false, Some(points)) => write!(
                 f,
-                "{} operations at {points} random points of prime fields, degree below 2^{:.0}",
+                "{} operations at {points} random points modulo large random primes, degree below 2^{:.0}",
                 self.operations,
                 self.degree.log2().ceil()
             )?,
-            (false, None) => write!(f, "{} operations, of a degree too high for prime fields", self.operations)?,
+            (false, None) => {
+                write!(f, "{} operations, of a degree too high for points modulo primes", self.operations)?
+            }
         }
         write!(f, "; about {:.1} s and {:.0} MB", self.seconds(), (self.bytes() / 1e6).max(1.0))
     }

@@ -123,7 +123,7 @@ impl RightHandSide {
     }
 }
 
-/// The Jacobian of the right-hand side: J(t, y) returns its exact derivatives by the state.
+/// The Jacobian of the right-hand side: J(t, y) returns its exact derivatives with respect to the state.
 #[pyclass(frozen, module = "dalembert")]
 pub struct JacobianMatrix(pub Callable);
 

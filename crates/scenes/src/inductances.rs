@@ -1,4 +1,4 @@
-//! Check of inductances: the matrix of second derivatives of the co-energy by the currents must be positive semidefinite at the start.
+//! Check of inductances: the matrix of second derivatives of the co-energy with respect to the currents must be positive semidefinite at the start.
 
 use crate::admissible::shown;
 use model::{Model, Trace};

@@ -28,7 +28,7 @@ pub struct Equation {
     pub zero: Sym,
     /// df/dt for a constraint of positions, f for one of speeds.
     pub rate: Sym,
-    /// The row of J: the derivatives of `rate` by the speeds.
+    /// The row of J: the derivatives of `rate` with respect to the speeds.
     pub row: Vec<Sym>,
     /// The entry of c: the time derivative of `rate` at zero accelerations, plus the gain terms of a stabilised constraint.
     pub bias: Sym,

@@ -191,7 +191,7 @@ impl<'t, 'm> Backward<'t, 'm> {
                 let by_a = scaled(weight / value, self.trace.vector(*a));
                 self.add_vector(*a, varied, by_a);
             }
-            // the derivative of a position's rate by the speeds equals that of the position by the positions
+            // the derivative of a position's rate with respect to the speeds equals that of the position with respect to the positions
             Scalar::RateOf(a) => {
                 if varied == Varied::Speeds {
                     self.add(*a, Varied::Positions, weight);

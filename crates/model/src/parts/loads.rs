@@ -56,7 +56,7 @@ pub struct Energies {
     pub kinetic: Option<ScalarId>,
     /// The potential energy in J.
     pub potential: Option<ScalarId>,
-    /// Rayleigh's dissipation function in W; generalised forces are its negative derivatives by the speeds.
+    /// Rayleigh's dissipation function in W; generalised forces are its negative derivatives with respect to the speeds.
     pub dissipation: Option<ScalarId>,
     /// The co-energy W'(i, q) of magnetic fields; currents i are rates of charges.
     pub coenergy: Option<ScalarId>,

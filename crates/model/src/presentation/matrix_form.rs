@@ -17,7 +17,7 @@ use symbolic::{Node, Sym, substitute_all};
 
 /// A system with n speeds and m scalar constraints in matrix form, over the symbols of a trace.
 ///
-/// h contains the inertia terms without accelerations, Q the applied forces, J the derivatives of the constraints' rates by the speeds. For a positive
+/// h contains the inertia terms without accelerations, Q the applied forces, J the derivatives of the constraints' rates with respect to the speeds. For a positive
 /// multiplier the reaction acts along its row of J, the gradient of the constraint.
 #[derive(Clone, Debug)]
 pub struct MatrixForm {

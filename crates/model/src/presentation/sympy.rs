@@ -75,7 +75,7 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
         true => format!("# mass_matrix*{rate} + inertia = forces\n"),
         false => format!(
             "# mass_matrix*{rate} + inertia = forces + jacobian.T*multipliers, jacobian*{rate} + bias = 0, constraints = 0\n\
-             # jacobian: derivatives of each constraint's rate by the speeds; a positive multiplier acts along its row\n"
+             # jacobian: derivatives of each constraint's rate with respect to the speeds; a positive multiplier acts along its row\n"
         ),
     };
     let mut text = format!(

@@ -59,7 +59,7 @@ impl TestDirections {
         }
     }
 
-    /// Defines the derivatives of a symbol by the speeds.
+    /// Defines the derivatives of a symbol with respect to the speeds.
     pub fn changes_with_speeds(&mut self, letter: Sym, slopes: [Sym; 3]) {
         for (known, slope) in self.by_speed.iter_mut().zip(slopes) {
             known.push((letter, slope));
@@ -129,7 +129,7 @@ impl TestDirections {
         in_axes(letters)
     }
 
-    /// Creates symbols for the derivatives by the speeds, and for their rates.
+    /// Creates symbols for the derivatives with respect to the speeds, and for their rates.
     fn slopes(&mut self, name: &str) -> ([Sym; 3], [Sym; 3]) {
         let (slopes, rates) = (three(&format!("{name} by")), three(&format!("{name}' by")));
         self.rates.extend(slopes.into_iter().zip(rates));

@@ -44,7 +44,7 @@ pub(super) fn canonical() -> Equations {
     let mut any = TestDirections::any();
     let kinetic = any_energy(&mut any, "T");
     let potential = any.function("V");
-    // the derivatives of T by the speeds, which are functions of positions and speeds themselves
+    // the derivatives of T with respect to the speeds, which are functions of positions and speeds themselves
     let momenta: [Sym; 3] = std::array::from_fn(|j| any.by_speed(kinetic, j));
     for (j, &momentum) in momenta.iter().enumerate() {
         let of = |what: &str| std::array::from_fn(|k| Sym::symbol(&format!("p {} by {what} {}", j + 1, k + 1)));

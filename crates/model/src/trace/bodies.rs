@@ -123,7 +123,7 @@ impl Trace<'_> {
         self.model.energies.coenergy.map_or(Sym::ZERO, |coenergy| self.scalar(coenergy))
     }
 
-    /// Returns T + W', whose derivatives by the speeds are momenta and magnetic fluxes.
+    /// Returns T + W', whose derivatives with respect to the speeds are momenta and magnetic fluxes.
     pub fn kinetic_and_coenergy(&self) -> Sym {
         self.kinetic_energy() + self.coenergy()
     }

@@ -368,7 +368,7 @@ class Model:
         return self._native.rhs()
 
     def jacobian(self) -> JacobianMatrix:
-        """The derivatives of the right-hand side by the state, J(t, y), exact: for the `jac` of solve_ivp."""
+        """The derivatives of the right-hand side with respect to the state, J(t, y), exact: for the `jac` of solve_ivp."""
         return self._native.jacobian()
 
     def __reduce__(self):

@@ -95,7 +95,7 @@ class RightHandSide:
     def __call__(self, t: float, y: ArrayLike) -> NDArray[numpy.float64]: ...
 
 class JacobianMatrix:
-    """The derivatives of the right-hand side by the state: J(t, y)."""
+    """The derivatives of the right-hand side with respect to the state: J(t, y)."""
 
     @property
     def states(self) -> list[str]: ...

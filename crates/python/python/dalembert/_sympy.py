@@ -127,10 +127,10 @@ def written(expression: Any, letter: Callable[[Any, int], str]) -> str:
         if isinstance(part, sympy.Derivative):
             function, *by = part.args
             if not isinstance(function, AppliedUndef) or function.args != (time,) or any(one[0] != time for one in by):
-                raise refused(part, "derivatives of functions of the time by the time are accepted; .doit() may give some")
+                raise refused(part, "time derivatives of functions of the time are accepted; .doit() may give some")
             order = sum(one[1] for one in by)
             if order not in (1, 2):
-                raise refused(part, "the first and the second derivative by the time are accepted")
+                raise refused(part, "the first and the second time derivative are accepted")
             return letter(function, int(order)), 4
         if part.is_Add:
             terms = [text if level > 1 or text.startswith("-") else f"({text})" for text, level in map(text_of, part.as_ordered_terms())]

@@ -46,7 +46,7 @@ pub(super) fn verdict(model: &Model) -> PropertyVerdict {
     })
 }
 
-/// The matrix of second derivatives of the power sum (Q(q, u) - Q(q, 0)) u by the speeds; `None` if the power is not a quadratic form
+/// The matrix of second derivatives of the power sum (Q(q, u) - Q(q, 0)) u with respect to the speeds; `None` if the power is not a quadratic form
 /// with constant coefficients.
 fn quadratic(trace: &Trace<'_>, forces: &[Sym]) -> Option<Vec<Vec<Rational>>> {
     let state: Vec<Sym> = trace.coordinates.iter().chain(&trace.speeds).copied().collect();

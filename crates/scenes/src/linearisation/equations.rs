@@ -79,7 +79,7 @@ pub struct Values {
     pub values: DVector<f64>,
     /// Derivatives by a displacement along each speed: of its coordinate, or by a small rotation about an axis of a free frame.
     pub by_coordinates: DMatrix<f64>,
-    /// Derivatives by the speeds.
+    /// Derivatives with respect to the speeds.
     pub by_speeds: DMatrix<f64>,
     /// Derivatives by the accelerations.
     pub by_accelerations: DMatrix<f64>,
@@ -87,7 +87,7 @@ pub struct Values {
     pub by_multipliers: DMatrix<f64>,
     /// Derivatives by the inputs.
     pub by_inputs: DMatrix<f64>,
-    /// Partial derivatives by the time.
+    /// Partial derivatives with respect to the time.
     pub by_time: DVector<f64>,
 }
 
@@ -121,7 +121,7 @@ pub struct VariedEquations {
     pub inputs: Vec<String>,
     /// Indices of the coordinates that are charges.
     pub charges: Vec<usize>,
-    /// Names of inputs of the model whose values depend on coordinates or speeds. The derivatives by the state do not include this
+    /// Names of inputs of the model whose values depend on coordinates or speeds. The derivatives with respect to the state do not include this
     /// feedback.
     pub feedback: Vec<String>,
     /// For each input: true if the equations of motion are not linear in it.

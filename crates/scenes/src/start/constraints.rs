@@ -129,14 +129,14 @@ impl Constraints {
         (DVector::from_fn(count, |i, _| values[first + i]), self.rows(&values, count))
     }
 
-    /// The residuals, their rates, and the derivatives of the rates by the speeds, as one list.
+    /// The residuals, their rates, and the derivatives of the rates with respect to the speeds, as one list.
     pub fn values(&self, time: f64, state: &[f64], parameters: &[f64]) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.known.len() * (2 + self.layout.speeds())];
         self.tape.over().evaluate(&[state, parameters, &[time]].concat(), &mut values);
         values
     }
 
-    /// The derivatives of the first `count` equations by the speeds, from the list of [`Constraints::values`].
+    /// The derivatives of the first `count` equations with respect to the speeds, from the list of [`Constraints::values`].
     pub fn rows(&self, values: &[f64], count: usize) -> DMatrix<f64> {
         let (m, n) = (self.known.len(), self.layout.speeds());
         DMatrix::from_fn(count, n, |i, j| values[2 * m + i * n + j])
@@ -233,7 +233,7 @@ impl Constraints {
     }
 }
 
-/// An equation of the start: residual, its rate, and the derivatives of the rate by the speeds.
+/// An equation of the start: residual, its rate, and the derivatives of the rate with respect to the speeds.
 struct Row {
     known: Known,
     zero: Sym,

@@ -128,7 +128,7 @@ impl KeptConstraints {
     }
 }
 
-/// The residuals of position constraints or, without a level, the rates of all constraints, and their derivatives by the speeds.
+/// The residuals of position constraints or, without a level, the rates of all constraints, and their derivatives with respect to the speeds.
 fn at(
     constraints: &Constraints,
     time: f64,
