@@ -68,7 +68,7 @@ impl Splitting {
         matches!(self, Splitting::Strang | Splitting::KahanLi8)
     }
 
-    /// The coefficients a_1 .. a_2s.
+    /// The coefficients a_1 .. a_2s of s stages, as fractions of a step.
     pub fn coefficients<S: Real>(self) -> Vec<S> {
         match self {
             Splitting::Strang => vec![S::ratio(1, 2); 2],

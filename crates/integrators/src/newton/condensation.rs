@@ -109,12 +109,13 @@ impl Condensation {
         self.columns = vec![0.0; m * self.eliminated.len()];
     }
 
-    /// The entries of J_kk and of J_ke C, row by row.
+    /// The entries of J_kk and of J_ke C as pairs, row by row.
     pub fn entries(&self) -> impl Iterator<Item = (f64, f64)> {
         self.own.iter().copied().zip(self.through.iter().copied())
     }
 
-    /// The right-hand side of the condensed equations; `inverse` is 1 / mu.
+    /// The right-hand side of the condensed equations, with one entry for each kept state, from `right` with one entry for
+    /// each state; `inverse` is 1 / mu.
     pub fn condense(&self, right: &[f64], inverse: f64, condensed: &mut [f64]) {
         condensed.iter_mut().zip(&self.kept).for_each(|(to, &from)| *to = right[from]);
         for (column, follower) in self.columns.chunks_exact(self.size().max(1)).zip(&self.eliminated) {
@@ -123,7 +124,8 @@ impl Condensation {
         }
     }
 
-    /// Computes the full solution in `right` from the solution of the condensed equations.
+    /// Computes the full solution from the solution of the condensed equations. `right` contains the right-hand side, and is
+    /// replaced by the solution; `inverse` is 1 / mu.
     pub fn expand(&self, condensed: &[f64], inverse: f64, right: &mut [f64]) {
         for &Follower { state, place, factor } in &self.eliminated {
             right[state] = inverse * (right[state] + factor * condensed[place]);
@@ -131,7 +133,7 @@ impl Condensation {
         self.kept.iter().zip(condensed).for_each(|(&to, from)| right[to] = *from);
     }
 
-    /// [`Self::condense`] for a complex mu, with real and imaginary parts.
+    /// [`Self::condense`] for a complex mu; each pair has the real and the imaginary part.
     pub fn condense_complex(&self, [re, im]: [&[f64]; 2], inverse: Complex<f64>, [to_re, to_im]: [&mut [f64]; 2]) {
         for ((to_re, to_im), &from) in to_re.iter_mut().zip(to_im.iter_mut()).zip(&self.kept) {
             (*to_re, *to_im) = (re[from], im[from]);
@@ -145,7 +147,7 @@ impl Condensation {
         }
     }
 
-    /// [`Self::expand`] for a complex mu, with real and imaginary parts.
+    /// [`Self::expand`] for a complex mu; each pair has the real and the imaginary part.
     pub fn expand_complex(&self, [from_re, from_im]: [&[f64]; 2], inverse: Complex<f64>, [re, im]: [&mut [f64]; 2]) {
         for &Follower { state, place, factor } in &self.eliminated {
             let right = Complex::new(re[state] + factor * from_re[place], im[state] + factor * from_im[place]);

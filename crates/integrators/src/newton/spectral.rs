@@ -16,7 +16,7 @@ impl SpectralRadius {
         SpectralRadius { size, power: vec![0.0; size * size], square: vec![0.0; size * size] }
     }
 
-    /// An upper bound close to the spectral radius. Every power is scaled to norm 1 against overflow.
+    /// An upper bound close to the spectral radius of an n x n matrix in row order. Every power is scaled to norm 1 against overflow.
     pub fn radius(&mut self, matrix: &[f64]) -> f64 {
         let n = self.size;
         self.power.copy_from_slice(matrix);

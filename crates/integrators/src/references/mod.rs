@@ -177,7 +177,8 @@ pub fn shared_digits(difference: f64) -> f64 {
     -(KEPT_BACK * difference).max(1e-32).log10()
 }
 
-/// The largest difference of two trajectories, relative to the sizes of their components.
+/// The largest difference of two trajectories, each a list of states at the same times, relative to the sizes of their
+/// components.
 pub fn difference(a: &[Vec<DoubleDouble>], b: &[Vec<DoubleDouble>], sizes: &[f64]) -> f64 {
     let state = |(a, b): (&Vec<DoubleDouble>, &Vec<DoubleDouble>)| {
         a.iter().zip(b).zip(sizes).map(|((a, b), size)| (*a - *b).hi().abs() / size).fold(0.0, f64::max)

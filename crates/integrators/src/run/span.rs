@@ -49,7 +49,7 @@ pub struct Span<'a, S> {
 }
 
 impl<'a, S: Real> Span<'a, S> {
-    /// The span from `start` to `end` with the initial state `state`, and one output at the end.
+    /// The span from `start` to `end` (s) with the initial state `state`, and one output at the end.
     pub fn new(start: f64, end: f64, state: &[S]) -> Self {
         let (outputs, monitors) = (vec![end], Vec::new());
         let (budget, longest_first, within_step) = (Budget::default(), None, false);
@@ -62,7 +62,7 @@ impl<'a, S: Real> Span<'a, S> {
         self
     }
 
-    /// The span with these outputs.
+    /// The span with outputs at these times (s), in the order of the run.
     pub fn with_outputs(mut self, outputs: &[f64]) -> Self {
         self.outputs = outputs.to_vec();
         self
@@ -75,13 +75,13 @@ impl<'a, S: Real> Span<'a, S> {
         self
     }
 
-    /// The span with one more monitored quantity.
+    /// The span with one more monitored quantity, a function of time (s) and state.
     pub fn with_monitor(mut self, name: &str, value: impl Fn(f64, &[S]) -> S + 'a) -> Self {
         self.monitors.push(Monitor { name: name.to_owned(), value: Box::new(value), size: None });
         self
     }
 
-    /// Sets the size of the terms of the last monitored quantity.
+    /// Sets the size of the terms of the last monitored quantity, a function of time (s) and state.
     pub fn beside(mut self, size: impl Fn(f64, &[S]) -> S + 'a) -> Self {
         if let Some(last) = self.monitors.last_mut() {
             last.size = Some(Box::new(size));

@@ -25,7 +25,8 @@ impl Tolerance {
         Tolerance { relative: tolerance, absolute: Absolute::Same(tolerance) }
     }
 
-    /// A tolerance relative to a typical size of each component, and to its present size.
+    /// A tolerance relative to a typical size of each component, and to its present size. `sizes` has one entry for each
+    /// state.
     pub fn scaled(tolerance: f64, sizes: &[f64]) -> Self {
         let absolute = sizes.iter().map(|size| tolerance * size).collect();
         Tolerance { relative: tolerance, absolute: Absolute::Each(absolute) }
@@ -46,7 +47,8 @@ impl Tolerance {
         self.absolute(i) + self.relative * size
     }
 
-    /// The largest component of an error in units of the allowed error; a step with a norm above 1 is rejected. NaN
+    /// The largest component of the error of a step from the state `before` to `after`, in units of the allowed error;
+    /// `error` maps the index of a component to its error. A step with a norm above 1 is rejected. NaN
     /// where the error or the state is NaN.
     pub fn norm<S: Real>(&self, before: &[S], after: &[S], error: impl Fn(usize) -> f64) -> f64 {
         let mut largest = 0.0_f64;

@@ -17,7 +17,8 @@ pub fn front(points: &[(f64, f64)]) -> Vec<usize> {
     order
 }
 
-/// The cost of each point divided by the smallest cost of a point with at most the same error; 1 on the front.
+/// The cost of each point (cost, error) divided by the smallest cost of a point with at most the same error; 1 on the
+/// front.
 pub fn excess(points: &[(f64, f64)]) -> Vec<f64> {
     let front = front(points);
     let least = |error: f64| front.iter().find(|&&at| points[at].1 <= error).map_or(f64::NAN, |&at| points[at].0);

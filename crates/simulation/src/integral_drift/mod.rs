@@ -96,7 +96,8 @@ impl MotionWithIntegrals<'_> {
         Ok(record.states)
     }
 
-    /// The state at the time `to` of the motion that begins at `from` (s), with the accuracy of double precision.
+    /// The state at the time `to` (s) of the motion that has the state `state` at `from` (s), with the accuracy of double
+    /// precision. The observer receives the states at `outputs` (s).
     fn exactly(
         &self,
         (from, to): (f64, f64),

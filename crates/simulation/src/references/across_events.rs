@@ -134,7 +134,8 @@ pub fn agreed(
     Ok(Exact { reference: Reference { times, states: first.states, digits, sizes, methods: METHODS, work }, events })
 }
 
-/// Equidistant output times of a run (s), up to its end, or to shortly before an earlier end of the motion.
+/// Equidistant output times of a run (s) from the state `start`: up to `time` if `is_whole`, else to shortly before `time`,
+/// at which the motion ends.
 pub fn instants(start: &[f64], time: f64, is_whole: bool) -> Vec<f64> {
     let horizon = if is_whole { time } else { rounded_down(time) };
     Span::<f64>::new(0.0, horizon, start).with_even_outputs(INSTANTS).outputs

@@ -47,7 +47,7 @@ impl<'a, S: Real> Onto<'a, S> {
         }
     }
 
-    /// Computes f and B at (t, y).
+    /// Computes f, in `rates`, and B at the state y and the time `tau` of the run; NaN if the budget is exhausted.
     pub fn parts(&mut self, tau: S, y: &[S], rates: &mut [S], meter: &BudgetedRhs<S>) {
         if !meter.charge(1) {
             rates.fill(S::lift(f64::NAN));

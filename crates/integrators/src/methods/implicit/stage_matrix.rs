@@ -131,7 +131,7 @@ impl StageMatrix {
         whole && modes && filter
     }
 
-    /// Replaces the residuals of the stages by the corrections.
+    /// Replaces the residuals of the stages by the corrections; stage j has the entries j n to j n + n - 1.
     pub fn solve(&mut self, residual: &mut [f64]) {
         if let Some(whole) = &mut self.whole {
             whole.solve(residual);
