@@ -11,7 +11,7 @@
 //! fails_at = "5 s"
 //! of = "the time of the last rebound"
 //! threshold = "sqrt(2*h/g)*(1 + e)/(1 - e)"
-//! while = "y + (1 mm)"                     # positive while the run holds; may be left out
+//! while = "y + (1 mm)"                     # positive while the run counts as successful; may be left out
 //! expects = "Zeno"                         # the name of the failure that a run shows; may be left out
 //! ```
 //!

@@ -65,7 +65,7 @@ impl Keys {
             texts.map(|(key, needed)| table.text(key, needed).value.split_whitespace().collect::<Vec<_>>().join(" "));
         let vary = table.text("vary", "\"step\", \"span\", or the name of a parameter or of a value in [start]");
         let threshold = table.text("threshold", "an expression of the parameters");
-        let margin = table.optional_text("while", "an expression that is positive while the run holds");
+        let margin = table.optional_text("while", "an expression that is positive while the run counts as successful");
         let expects = table.optional_text("expects", "the name of a failure");
         let within =
             table.optional_count("within", "one by the part of the threshold to which runs agree", 10, 1_000_000);
