@@ -177,7 +177,9 @@ fn a_member_that_is_interrupted_has_no_row() {
     let output = interrupted(&["ensemble", &scene.display().to_string()], &path);
     let told = String::from_utf8_lossy(&output.stdout);
     let table = std::fs::read_to_string(&path).expect("it was written");
-    [&scene, &path].map(|path| std::fs::remove_file(path).expect("it is there"));
+    for path in [&scene, &path] {
+        std::fs::remove_file(path).expect("it is there");
+    }
     assert_eq!(output.status.code(), Some(130), "{told}");
     assert_eq!(table.lines().count(), 1, "{table}");
     assert!(told.ends_with("the same command continues with member 1\n"), "{told}");
