@@ -65,6 +65,7 @@ pub(super) fn named(change: Change) -> &'static str {
             "two motions appear or vanish together (a fold, a condition that is met, or constraints that become dependent)"
         }
         Change::Pitchfork => "two motions leave a third (pitchfork)",
+        Change::Transcritical => "two motions pass through each other and exchange their stability (transcritical)",
         Change::Pair => "a pair of eigenvalues crosses the imaginary axis (Hopf, or gyroscopic stability ends)",
         Change::Exchange => "stability is exchanged",
         Change::Directions => "a motion that is unstable on both sides changes its number of unstable directions",

@@ -165,7 +165,7 @@ fn of_change(Bifurcation { before, after, change, .. }: &Bifurcation, place: usi
     let kind = match change {
         Change::Fold => 0,
         Change::Pair => 1,
-        Change::Exchange => 2,
+        Change::Exchange | Change::Transcritical => 2,
         Change::Pitchfork => 3,
         Change::Several => 4,
         // no marks: branches that leave the range, families, which are not drawn, and changes between unstable motions

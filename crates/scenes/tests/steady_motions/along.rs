@@ -67,6 +67,44 @@ fn over_two_parameters_motions_change_where_the_closed_form_says() {
     assert_eq!(borders, 4);
 }
 
+/// One coordinate with a force, and a damper.
+fn pushed(force: &str, damping: &str) -> String {
+    format!(
+        "title = \"One\"\n[parameters]\np = \"0.1\"\n[coordinates]\nx = \"m\"\n[energies]\nkinetic = \"(0.5 kg)*x'^2\"\n\
+         dissipation = \"({damping} N s/m)*x'^2\"\n[[force]]\nalong = \"x\"\nis = \"{force}\"\n"
+    )
+}
+
+/// x (p - p0 - x) = 0: the branches x = 0 and x = p - p0 cross, and the upper one is stable on both sides.
+#[test]
+fn two_motions_that_pass_through_each_other_exchange_their_stability() {
+    for (place, damping) in [("0.137", "0"), ("0.137", "0.3"), ("0", "0.3")] {
+        let text = pushed(&format!("(1 N/m^2)*x*((1 m)*(p - {place}) - x)"), damping);
+        let found = along(&text, &[("x", -2.0, 2.0)], ("p", -1.0, 1.0));
+        assert_changes(&found, &[(place.parse().expect("a number"), Change::Transcritical)]);
+    }
+    // the branches avoid each other
+    let text = pushed("(1 N/m^2)*x*((1 m)*(p - 0.137) - x) + (1e-4 N)", "0.3");
+    assert_changes(&along(&text, &[("x", -2.0, 2.0)], ("p", -1.0, 1.0)), &[]);
+}
+
+/// x^2 = (p - 0.137)^2 - 0.01^2: between 0.127 and 0.147 there is no motion, and no value of the search lies there.
+#[test]
+fn two_folds_between_neighbouring_values_are_found_where_motions_approach_each_other() {
+    let text = pushed("(1 N)*((p - 0.137)^2 - 1e-4) - (1 N/m^2)*x^2", "0.3");
+    let found = along(&text, &[("x", -2.0, 2.0)], ("p", -1.0, 1.0));
+    assert_changes(&found, &[(0.127, Change::Fold), (0.147, Change::Fold)]);
+}
+
+/// x^3 - 0.1 x = p - 0.13: three motions for |p - 0.13| < 2 (0.1/3)^(3/2), and no value of the search lies there.
+#[test]
+fn two_folds_between_neighbouring_values_are_found_where_a_motion_jumps() {
+    let text = pushed("(1 N)*(p - 0.13) + (0.1 N/m)*x - (1 N/m^3)*x^3", "0.3");
+    let found = along(&text, &[("x", -2.0, 2.0)], ("p", -1.0, 1.0));
+    let half = 2.0 * (0.1_f64 / 3.0).powf(1.5);
+    assert_changes(&found, &[(0.13 - half, Change::Fold), (0.13 + half, Change::Fold)]);
+}
+
 /// J x'' + d x' + k x = 0: where J changes its sign, decay becomes growth, and no eigenvalue crosses the imaginary axis.
 #[test]
 fn eigenvalues_become_infinite_where_the_inertia_vanishes() {

@@ -25,6 +25,8 @@ pub enum Change {
     Fold,
     /// Two motions appear or vanish at a third: a pitchfork.
     Pitchfork,
+    /// Two motions pass through each other and exchange their stability: transcritical.
+    Transcritical,
     /// The motions persist; a pair of eigenvalues crosses the imaginary axis: a Hopf bifurcation, or the loss of gyroscopic stability.
     Pair,
     /// The motions persist; their stability changes in another way, such as an exchange of stability.
@@ -58,8 +60,8 @@ pub(in crate::steady_motions) fn kinds(found: &SteadyMotions) -> (Vec<usize>, us
     (kinds, found.families.len())
 }
 
-/// The number of unstable directions; zero for stable motions and where it is unknown.
-fn unstable(motion: &SteadyMotion) -> usize {
+/// The number of unstable directions, as far as it is known.
+pub(super) fn unstable(motion: &SteadyMotion) -> usize {
     match &motion.stability {
         SteadyStability::Falls(count) | SteadyStability::FallsOdd(count) | SteadyStability::FallsOnSide(count) => {
             *count
@@ -194,11 +196,18 @@ fn at_singular_places(sample: &Sample) -> usize {
 
 /// Whether the midpoints of two enclosures are close together.
 fn are_near(unknowns: &[Unknown], a: &[[f64; 2]], b: &[[f64; 2]]) -> bool {
+    distance(unknowns, a, b) < TOGETHER
+}
+
+/// The largest distance of enclosures of unknowns, as a part of the ranges.
+pub(super) fn distance(unknowns: &[Unknown], a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
     let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
-    unknowns.iter().zip(a.iter().zip(b)).all(|(unknown, (a, b))| {
+    let each = unknowns.iter().zip(a.iter().zip(b)).map(|(unknown, (a, b))| {
         let gap = (middle(*a) - middle(*b)).abs();
         let whole = unknown.range.to - unknown.range.from;
         let around = if unknown.is_circle { (2.0 * std::f64::consts::PI - gap).abs() } else { gap };
-        gap.min(around) < TOGETHER * whole
-    })
+        // an unknown with a given value has no width
+        if whole == 0.0 { 0.0 } else { gap.min(around) / whole }
+    });
+    each.fold(0.0, f64::max)
 }

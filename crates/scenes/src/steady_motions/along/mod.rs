@@ -4,6 +4,9 @@
 //! bifurcation in between; its bracket is narrowed until motions can no longer be distinguished.
 
 mod change;
+mod hysteresis;
+mod tracks;
+mod transcritical;
 
 pub use change::Change;
 
@@ -11,8 +14,10 @@ use super::{NoSteadyMotions, Orientation, Range, SteadyMotion, SteadyMotions, St
 use crate::admissible::impossible;
 pub(super) use change::kinds;
 use change::{change, largest_eigenvalue};
+use hysteresis::hysteresis;
 use model::Model;
 use std::cell::RefCell;
+use transcritical::{Meeting, meetings};
 
 /// All steady motions at one value of the parameter, in SI units.
 #[derive(Clone, Debug)]
@@ -102,12 +107,30 @@ impl Along {
         for pair in complete.windows(2).filter(|pair| kinds(&pair[0].found) != kinds(&pair[1].found)) {
             brackets.extend(enclosed([pair[0].clone(), pair[1].clone()], size, &at));
         }
+        let mut passing: Vec<[Sample; 2]> = Vec::new();
+        let mut hidden = hysteresis(&complete, &at);
+        for meeting in meetings(&complete, size, &at) {
+            match meeting {
+                Meeting::Transcritical(both) => passing.push(*both),
+                Meeting::Hidden(all) => hidden.push(*all),
+            }
+        }
+        for [before, middle, after] in hidden {
+            brackets.extend(enclosed([before, middle.clone()], size, &at));
+            brackets.extend(enclosed([middle, after], size, &at));
+        }
+        let order = |own: &[Sample; 2]| own[0].value * size.signum();
+        brackets.sort_by(|a, b| order(a).total_cmp(&order(b)));
         let beyond = |value: f64| {
             let found = found_at(model, &asked.wider(WIDER), &[(name, value)], || (goes_on.borrow_mut())()).ok()?;
             found.is_complete().then(|| outside(&found, asked))
         };
-        let bifurcations =
+        let mut bifurcations =
             merged(brackets, ONE * size.abs(), &|before, after| change(before, after, (typical(&samples), &beyond)));
+        let transcritical =
+            |[before, after]: [Sample; 2]| Bifurcation { before, at: None, after, change: Change::Transcritical };
+        bifurcations.extend(passing.into_iter().map(transcritical));
+        bifurcations.sort_by(|a, b| (a.before.value * size.signum()).total_cmp(&(b.before.value * size.signum())));
         let mut visited = visited.into_inner();
         visited.sort_by(|a, b| a.value.total_cmp(&b.value));
         Ok(Along { samples, left_out, visited, bifurcations })
@@ -200,11 +223,19 @@ fn merged(brackets: Vec<[Sample; 2]>, near: f64, change: &dyn Fn(&Sample, &Sampl
     let told = merged.into_iter().map(|(before, at, after)| {
         let differs = |own: &Sample| [&before, &after].iter().all(|end| kinds(&own.found) != kinds(&end.found));
         let at = at.filter(differs);
-        let change =
-            if kinds(&before.found) == kinds(&after.found) { Change::AtValue } else { change(&before, &after) };
+        let change = match &at {
+            _ if kinds(&before.found) != kinds(&after.found) => change(&before, &after),
+            Some(at) if is_shared(&before.found, &at.found) => Change::Transcritical,
+            _ => Change::AtValue,
+        };
         Bifurcation { before, at, after, change }
     });
     told.filter(|one| one.change != Change::AtValue || one.at.is_some()).collect()
+}
+
+/// Whether two of the motions beside a value are one motion at the value.
+fn is_shared(beside: &SteadyMotions, at: &SteadyMotions) -> bool {
+    at.motions.len() + 1 == beside.motions.len() && at.families.len() == beside.families.len()
 }
 
 /// The median over the samples of the largest eigenvalue, 1/s; infinite if none is known.
