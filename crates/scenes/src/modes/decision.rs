@@ -7,20 +7,21 @@
 //! rounding, the next derivative decides.
 
 use super::combinations::combinations;
-use super::consistency::{Standing, is_possible, of_contacts, rests, standing};
+use super::consistency::{Standing, is_possible, of_contacts, standing};
 use super::continuum::is_continuum;
 use super::expansion::{Expansion, Expansions, Instant};
 use super::headings::headings;
 use super::mode::{Case, Face, Heading, Mode, Phase};
 use super::pivots::{NotFound, pivoted};
+use super::rests::rests_beside;
 use super::shares::shares;
 use super::touch::{Touch, at_rest};
 
 /// The largest number of conditions at zero whose combinations are all tried; for more conditions one consistent combination is searched for.
-const MOST_OPEN: usize = 6;
+pub(super) const MOST_OPEN: usize = 6;
 
 /// The largest number of combinations of cases and phases that are tried.
-const MOST_TRIED: usize = 20_000;
+pub(super) const MOST_TRIED: usize = 20_000;
 
 /// The number of Taylor terms by which combinations are excluded, and the number by which the remaining combinations are decided.
 pub(super) const FEW: usize = 2;
@@ -156,9 +157,9 @@ fn tried(
     for slack in SLACKS {
         let Some((best, agreeing)) = best(&all, open, slack) else { continue };
         let differs = |place: &usize| differ(&all[agreeing[0]].1, &all[*place].1, slack);
-        several = matches!(best, Standing::Moves | Standing::Carries) && agreeing.iter().skip(1).any(differs)
-            || best == Standing::Moves
-                && (0..all.len()).any(|place| stays_off(&all[place], open, slack) && differs(&place));
+        let rests = rests_beside(&all, (best, agreeing[0]), open, slack);
+        several =
+            matches!(best, Standing::Moves | Standing::Carries) && agreeing.iter().skip(1).chain(&rests).any(differs);
         if !several {
             let (mut mode, expansion) = all.swap_remove(agreeing[0]);
             mode.rest(&expansion, open, slack);
@@ -172,10 +173,10 @@ fn tried(
     }
 }
 
-/// The combinations that the first Taylor terms do not exclude.
-struct Candidates {
-    all: Vec<(Mode, Expansion<TERMS>)>,
-    /// True if a condition cannot be held in some combination.
+/// The combinations that the first terms do not exclude.
+pub(super) struct Candidates {
+    pub all: Vec<(Mode, Expansion<TERMS>)>,
+    /// Whether a combination cannot be held.
     not_held: bool,
     /// True if combinations were left out, in which several contacts in space are at rest or begin to slide.
     rest_together: bool,
@@ -184,7 +185,7 @@ struct Candidates {
 }
 
 impl Candidates {
-    fn of(
+    pub fn of(
         expansions: &Expansions,
         instant: &Instant<'_>,
         (mode, phases): (&Mode, &[Vec<Phase>]),
@@ -245,61 +246,17 @@ fn directed(expansions: &Expansions, instant: &Instant<'_>, mode: Mode, open: Op
     headings(expansions, instant, &mode, &beginning).into_iter().map(with).collect()
 }
 
-/// The highest degree of consistency, and the indices of the candidates that reach it; `None` if all are inconsistent.
-fn best(all: &[(Mode, Expansion<TERMS>)], open: Open<'_>, slack: f64) -> Option<(Standing, Vec<usize>)> {
+/// The highest degree of agreement, and the candidates that reach it; none if all are contradictory.
+pub(super) fn best(all: &[(Mode, Expansion<TERMS>)], open: Open<'_>, slack: f64) -> Option<(Standing, Vec<usize>)> {
     let standings: Vec<Option<Standing>> =
         all.iter().map(|(mode, expansion)| standing(expansion, mode, open, slack)).collect();
     let best = standings.iter().copied().max().flatten()?;
     Some((best, (0..all.len()).filter(|&place| standings[place] == Some(best)).collect()))
 }
 
-/// True if a motion keeps conditions at zero that are off, as g > 0 is at g = 0: a body at rest at x = 0 under `if(x > 0, F, 0)`, beside the motion
-/// that leaves zero at once.
-fn stays_off((mode, expansion): &(Mode, Expansion<TERMS>), open: Open<'_>, slack: f64) -> bool {
-    let rests = |switch: &&usize| rests(expansion, mode.cases[**switch], **switch, slack);
-    standing(expansion, mode, open, slack) == Some(Standing::Rests)
-        && of_contacts(expansion, mode, open, slack) == Some(Standing::Moves)
-        && open.switches.iter().filter(rests).all(|switch| mode.cases[*switch] == Case::Off)
-}
-
-/// All consistent combinations, each with its series and the number of its motion: combinations with equal motions have equal numbers.
-/// `None` if there are too many combinations.
-pub(super) fn agreeing(
-    expansions: &Expansions,
-    instant: &Instant<'_>,
-    mode: &Mode,
-    open: Open<'_>,
-) -> Option<Vec<(Mode, Expansion<TERMS>, usize)>> {
-    let phases = combinations(expansions, instant, open)?;
-    if open.switches.len() > MOST_OPEN || phases.len() * 3_usize.pow(open.switches.len() as u32) > MOST_TRIED {
-        return None;
-    }
-    let all = Candidates::of(expansions, instant, (mode, &phases), open).all;
-    let Some((slack, (best, agreeing))) = SLACKS.iter().find_map(|&slack| Some((slack, best(&all, open, slack)?)))
-    else {
-        return Some(Vec::new());
-    };
-    let staying = (0..all.len()).filter(|&place| best == Standing::Moves && stays_off(&all[place], open, slack));
-    let mut found: Vec<(Mode, Expansion<TERMS>, usize)> = Vec::new();
-    let mut motions = 0;
-    for place in agreeing.into_iter().chain(staying) {
-        let (mut mode, expansion) = all[place].clone();
-        mode.rest(&expansion, open, slack);
-        let same = found.iter().find(|(_, known, _)| !differ(known, &expansion, slack)).map(|(.., motion)| *motion);
-        let motion = same.unwrap_or_else(|| {
-            motions += 1;
-            motions - 1
-        });
-        if found.iter().all(|(known, ..)| *known != mode) {
-            found.push((mode, expansion, motion));
-        }
-    }
-    Some(found)
-}
-
 impl Mode {
     /// Sets the phase of contacts that should leave zero, but remain there, to rest.
-    fn rest(&mut self, expansion: &Expansion<TERMS>, open: Open<'_>, slack: f64) {
+    pub(super) fn rest(&mut self, expansion: &Expansion<TERMS>, open: Open<'_>, slack: f64) {
         for ((phase, contact), touch) in self.phases.iter_mut().zip(&expansion.contacts).zip(open.touches) {
             *phase = at_rest(contact, *phase, (*touch, open.is_alone()), slack);
         }

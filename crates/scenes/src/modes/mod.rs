@@ -28,6 +28,7 @@ mod passage;
 mod pivots;
 pub(crate) mod reasons;
 mod regimes;
+mod rests;
 mod shares;
 mod sides;
 mod signal_integrals;

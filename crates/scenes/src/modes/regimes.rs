@@ -1,11 +1,13 @@
 //! All consistent regimes of contacts and conditions at a state, with their margins, and the critical friction.
 
+use super::combinations::combinations;
 use super::critical_friction::Critical;
-use super::decision::{Decided, Open, SLACKS, TERMS, agreeing, decided};
-use super::expansion::{Expansion, Instant};
+use super::decision::{Candidates, Decided, MOST_OPEN, MOST_TRIED, Open, SLACKS, TERMS, best, decided, differ};
+use super::expansion::{Expansion, Expansions, Instant};
 use super::jet::Jet;
 use super::mode::{Case, Mode, Phase};
 use super::reasons::TOGETHER;
+use super::rests::rests_beside;
 use super::touch::{Touch, leaving, margins};
 use super::unfit::Unfit;
 use super::{Modes, Refused};
@@ -213,6 +215,40 @@ impl Modes {
         }
         found
     }
+}
+
+/// Every combination that is consistent with the motion it gives, with the number of this motion; none if there are too many combinations.
+fn agreeing(
+    expansions: &Expansions,
+    instant: &Instant<'_>,
+    mode: &Mode,
+    open: Open<'_>,
+) -> Option<Vec<(Mode, Expansion<TERMS>, usize)>> {
+    let phases = combinations(expansions, instant, open)?;
+    if open.switches.len() > MOST_OPEN || phases.len() * 3_usize.pow(open.switches.len() as u32) > MOST_TRIED {
+        return None;
+    }
+    let all = Candidates::of(expansions, instant, (mode, &phases), open).all;
+    let Some((slack, (best, mut agreeing))) = SLACKS.iter().find_map(|&slack| Some((slack, best(&all, open, slack)?)))
+    else {
+        return Some(Vec::new());
+    };
+    agreeing.extend(rests_beside(&all, (best, agreeing[0]), open, slack));
+    let mut found: Vec<(Mode, Expansion<TERMS>, usize)> = Vec::new();
+    let mut motions = 0;
+    for place in agreeing {
+        let (mut mode, expansion) = all[place].clone();
+        mode.rest(&expansion, open, slack);
+        let same = found.iter().find(|(_, known, _)| !differ(known, &expansion, slack)).map(|(.., motion)| *motion);
+        let motion = same.unwrap_or_else(|| {
+            motions += 1;
+            motions - 1
+        });
+        if found.iter().all(|(known, ..)| *known != mode) {
+            found.push((mode, expansion, motion));
+        }
+    }
+    Some(found)
 }
 
 /// Sentences for the first nonzero rate of a condition at zero.

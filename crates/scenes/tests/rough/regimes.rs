@@ -146,6 +146,35 @@ fn conditions_and_diodes_have_regimes_too() {
     assert!(shown(&rectifier)[0].starts_with("diode `A` blocks, diode `B` conducts"), "{:?}", shown(&rectifier));
 }
 
+/// A body at rest touches two planes that face almost alike. It may turn away from the first, or stay wedged: N0 = N1 = 13.8 N with the frictions
+/// T0 = -18.2 N and T1 = 16.2 N keep it in balance, within the bounds 2.618 N0 and 2.547 N1.
+#[test]
+fn a_body_that_may_stay_wedged_or_leave_has_two_motions() {
+    let contact = |name: &str, point: [&str; 2], normal: [&str; 2], friction: &str| {
+        format!(
+            "[[contact]]\nname = \"{name}\"\nof = \"b at {name}\"\nthrough = \"O + ({} m)*N.x + ({} m)*N.y\"\nnormal = \"({})*N.x + ({})*N.y\"\n\
+             friction = \"{friction}\"\n",
+            point[0], point[1], normal[0], normal[1]
+        )
+    };
+    let of_friction = |first: &str| {
+        let text = "title = \"Wedge\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[coordinates]\nx = \"m\"\ny = \"m\"\na = \"rad\"\n[frames]\n\
+            A = \"N turned a about z\"\n[points]\nG = \"O + x*N.x + y*N.y\"\nP = \"G - (0.969 m)*A.x + (0.862 m)*A.y\"\n\
+            Q = \"G - (0.39 m)*A.x - (0.053 m)*A.y\"\n[bodies.b]\nframe = \"A\"\ncentre = \"G\"\nmass = \"2.421 kg\"\ninertia = \"0.847 kg m^2\"\n"
+            .to_owned();
+        text + &contact("P", ["-0.969", "0.862"], ["-0.025736", "0.999669"], first)
+            + &contact("Q", ["-0.39", "-0.053"], ["0.192883", "0.981222"], "2.547")
+            + "[run]\nspan = \"1 s\"\n"
+    };
+    let found = of(&of_friction("2.618"));
+    assert_eq!(found.motions, Motions::Several, "{:?}", shown(&found));
+    assert_eq!(found.regimes[0].name, "contact `P` is apart, contact `Q` sticks");
+    let wedged: Vec<_> = found.regimes.iter().skip(1).collect();
+    assert!(!wedged.is_empty() && wedged.iter().all(|own| own.motion == 1 && own.is_one_choice), "{:?}", shown(&found));
+    let smooth = of(&of_friction("0.1"));
+    assert_eq!((smooth.motions, smooth.regimes.len()), (Motions::One, 1), "{:?}", shown(&smooth));
+}
+
 #[test]
 fn a_system_without_contacts_and_conditions_is_refused() {
     let read = parse_titled("scene.toml", &stored("models/double_pendulum"), Task::Run);
