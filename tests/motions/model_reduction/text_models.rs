@@ -243,3 +243,51 @@ fn two_blocks_on_a_spring_of_which_one_touches_a_floor_are_decided() {
     let (_, receipt) = chosen(&opened(text), 1e-2);
     assert!(receipt.taken.is_some());
 }
+
+/// A mass on a spring with a stop that it never reaches: events at x = 0 limit the steps of Taylor's method, which are the same at the
+/// tolerances of both pilots.
+#[test]
+fn runs_whose_steps_events_limit_do_not_measure_each_others_errors() {
+    let text = "title = \"Stop\"\n[parameters]\nk = \"13.6 N/m\"\ns = \"32.8 N/m\"\ne = \"0.2 m\"\n[coordinates]\nx = \"m\"\n[energies]\n\
+        kinetic = \"(0.65 kg)*x'^2\"\npotential = \"k/2*x^2 + (0.0062 N/m^3)*x^4 + s/2*max(abs(x) - e, 0)^2\"\n[start]\nx = \"1 cm\"\n[run]\n\
+        span = \"5 s\"\noutputs = [\"kinetic_energy\"]\n";
+    let scene = opened(text);
+    let (models, receipt) = chosen(&scene, 3e-6);
+    let line = receipt.taken.expect("something is taken");
+    let choice = receipt.lines[line].choice.as_ref().expect("it runs");
+    let off = off(&models, &receipt, line, choice);
+    assert!(off <= choice.promised && choice.promised <= 3e-6, "{off:e} where {:e} is promised", choice.promised);
+}
+
+/// A fast oscillation without a damper: an implicit method passes over it at a coarse tolerance and not at the fine one.
+#[test]
+fn a_fast_oscillation_without_loss_is_run_by_an_explicit_method() {
+    let text = "title = \"Shaft\"\n[parameters]\nk = \"78100 N m\"\n[coordinates]\nx = \"rad\"\ny = \"rad\"\n[energies]\n\
+        kinetic = \"(0.95 kg m^2)*x'^2 + (0.08 kg m^2)*y'^2\"\npotential = \"k/2*(y - x)^2 - (2.78 N m)*cos(y)\"\n\
+        dissipation = \"(0.27 N m s)*x'^2\"\n[[force]]\nalong = \"x\"\nis = \"(7.83 N m)\"\n[start]\n\"x'\" = \"1 rad/s\"\n\"y'\" = \"1 rad/s\"\n[run]\n\
+        span = \"2 s\"\noutputs = [\"y\"]\n";
+    let (_, receipt) = chosen(&opened(text), 1e-7);
+    let own = receipt.lines[0].choice.as_ref().expect("it runs");
+    assert!(!own.plan.method.traits().implicit && receipt.taken.is_some(), "{:?}", own.plan.method);
+}
+
+/// A run has the work of dampers as a state, which changes the steps.
+#[test]
+fn the_evaluations_that_are_told_of_the_own_model_are_those_of_its_run() {
+    let text = "title = \"Damped\"\n[parameters]\nL = \"8 mH\"\n[coordinates]\nx = \"rad\"\ny = \"C\"\n[energies]\nkinetic = \"(0.95 kg m^2)*x'^2\"\n\
+        potential = \"(2.1 N m)*x^2\"\ndissipation = \"(0.14 N m s)*x'^2\"\ncoenergy = \"L/2*y'^2\"\n[[force]]\nalong = \"y\"\n\
+        is = \"(1 V) - (1.5 ohm)*y' - (0.5 V s)*x'\"\n[[force]]\nalong = \"x\"\nis = \"(0.5 V s)*y'\"\n[start]\nx = \"0.01 rad\"\n[run]\nspan = \"5 s\"\n\
+        outputs = [\"x'\", \"y'\"]\n";
+    let scene = opened(text);
+    for tolerance in [1e-2, 1e-9] {
+        let (_, receipt) = chosen(&scene, tolerance);
+        let own = receipt.lines[0].choice.as_ref().expect("it runs");
+        let problem = scene.metered(Axes::First);
+        let choice =
+            simulation::Choice { method: own.plan.method, tolerance: own.plan.tolerance, ..scene.run().choice() };
+        let trajectory = problem.simulate(&choice, |_| ());
+        let work = trajectory.outcome.work;
+        let told = work.rates + work.jacobians * problem.state.len() as u64;
+        assert_eq!(own.work.evaluations, told, "{tolerance:e}");
+    }
+}

@@ -63,6 +63,7 @@ impl FirstRun {
             return Err(why.unwrap_or_else(|| "no method reaches its end".to_owned()));
         };
         let row = |(time, state): &(f64, Vec<f64>)| (*time, (own.row)(*time, state));
+        let states = own.state.len() - own.metered;
         let run = Run {
             asked: seen.samples.iter().map(row).collect(),
             steps: seen.steps.iter().map(row).collect(),
@@ -72,6 +73,7 @@ impl FirstRun {
             std::iter::once((0.0, own.state.clone())).chain(seen.samples).chain(seen.steps).collect();
         along.sort_by(|a, b| a.0.total_cmp(&b.0));
         along.dedup_by(|a, b| a.0 == b.0);
+        along.iter_mut().for_each(|(_, state)| state.truncate(states));
         Ok((FirstRun { method, run, along }, spent))
     }
 
@@ -81,7 +83,8 @@ impl FirstRun {
         let rows: Vec<&(f64, Vec<f64>)> =
             std::iter::once(&start).chain(&self.run.steps).chain(&self.run.asked).collect();
         let values: Vec<Vec<f64>> = rows.iter().map(|(_, row)| row.clone()).collect();
-        let sizes = (0..own.state.len()).map(|i| largest(self.along.iter().map(|(_, state)| state[i]))).collect();
+        let sizes =
+            (0..own.state.len() - own.metered).map(|i| largest(self.along.iter().map(|(_, state)| state[i]))).collect();
         let watched = Watched::of(&own.columns, names, &values, sizes);
         let without_value = rows.into_iter().find_map(|(time, row)| {
             let place = watched.columns.iter().position(|&column| !row[column].is_finite())?;

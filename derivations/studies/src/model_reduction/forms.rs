@@ -48,7 +48,7 @@ impl Models for Forms {
     }
 
     fn watched(&self, names: &[String]) -> Result<(Watched, u64), String> {
-        let own = &self.ladders[0].own;
+        let own = self.ladders[0].of_run();
         let (pilot, spent) = FirstRun::of(own)?;
         let watched = pilot.watched(own, names);
         self.pilot.replace(Some(pilot));
@@ -93,7 +93,8 @@ impl Models for Forms {
 
     fn code_size(&self, line: usize) -> Option<usize> {
         let ladder = self.ladders.first()?;
-        line.checked_sub(1).map_or(ladder.own.law.code_size(), |reduced| ladder.models.get(reduced)?.law.code_size())
+        line.checked_sub(1)
+            .map_or(ladder.of_run().law.code_size(), |reduced| ladder.models.get(reduced)?.law.code_size())
     }
 
     fn exact(&self) -> Option<Vec<Vec<f64>>> {
@@ -170,11 +171,11 @@ fn cheaper(ladder: &Hierarchy, line: usize, rich: usize) -> bool {
 fn runnable(ladder: &Hierarchy, line: usize, axes: Axes) -> Runnable<'_> {
     let span = ladder.own.span;
     match line.checked_sub(1).and_then(|reduced| ladder.models.get(reduced)) {
-        None if ladder.own.switching.is_some() => across_events(axes, &ladder.own),
+        None if ladder.own.switching.is_some() => across_events(axes, ladder.of_run()),
         None => {
-            let (law, start) = (Arc::clone(&ladder.own.law), ladder.own.state.clone());
-            let outside = |time: f64, y: &[f64]| ladder.own.outside(time, y).is_some();
-            Runnable::of_law(axes, law, start, span, |time, y| (ladder.own.row)(time, y), outside)
+            let own = ladder.of_run();
+            let outside = |time: f64, y: &[f64]| own.outside(time, y).is_some();
+            Runnable::of_law(axes, Arc::clone(&own.law), own.state.clone(), span, |time, y| (own.row)(time, y), outside)
         }
         Some(reduced) => {
             let lifted = move |time: f64, z: &[f64]| reduced.lifted(time, z, ladder.start.len());

@@ -102,6 +102,8 @@ pub struct Hierarchy {
     pub model: String,
     /// The scene's own problem.
     pub own: Problem,
+    /// The problem that a run of the scene solves, where it has the work of loads as a state too.
+    pub metered: Option<Problem>,
     /// The law from which the reduced models are derived: the scene's own, or that with lumped windings.
     pub written: Arc<dyn SymbolicLaw>,
     /// The compiled form of `written`.
@@ -151,6 +153,11 @@ impl ReducedModel {
 }
 
 impl Hierarchy {
+    /// The problem that a run of the scene solves.
+    pub fn of_run(&self) -> &Problem {
+        self.metered.as_ref().unwrap_or(&self.own)
+    }
+
     /// The reason why the scene's law is invalid at a state of `written`, if it is.
     pub fn left(&self, time: f64, state: &[f64]) -> Option<&'static str> {
         self.own.outside(time, &(self.whole)(time, state))

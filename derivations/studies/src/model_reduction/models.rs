@@ -36,6 +36,7 @@ impl Hierarchy {
             whole: Box::new(|_, state| state.to_vec()),
             models,
             lumping: None,
+            metered: Some(scene.metered(Axes::First)).filter(|metered| metered.metered > 0),
             own,
         }
     }

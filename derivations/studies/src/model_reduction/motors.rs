@@ -24,7 +24,7 @@ impl Hierarchy {
             _ => Arc::clone(&own.law),
         };
         let model = scene.machine.name().to_owned();
-        let mut ladder = Hierarchy { model, own, written, law, start, whole, models, lumping };
+        let mut ladder = Hierarchy { model, own, metered: None, written, law, start, whole, models, lumping };
         let known =
             catalogue::entries().into_iter().map(|entry| entry.name).take_while(|name| *name != scene.machine.name());
         // lumping finds the equivalent windings

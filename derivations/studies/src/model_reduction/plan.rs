@@ -278,6 +278,17 @@ pub fn plan(forms: &[Runnable<'_>], watched: &Watched, error: f64) -> Option<Pla
     }
     coarse.sort_by_key(|(.., run)| run.evaluations);
     let found = coarse.into_iter().find_map(|(form, method, run)| form.plan(method, run, watched, error, &mut spent));
+    // an implicit method passes over a fast oscillation at the coarse tolerance, and resolves it at a finer one
+    let found = found.or_else(|| {
+        forms.iter().find_map(|form| {
+            let (method, run) = by_kind(!is_stiff, |method| {
+                let (run, evaluations) = form.run(method, COARSE, LAST, None);
+                spent += evaluations;
+                (run, evaluations)
+            })?;
+            form.plan(method, run, watched, error, &mut spent)
+        })
+    });
     found.map(|plan| Plan { spent, ..plan })
 }
 
