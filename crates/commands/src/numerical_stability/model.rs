@@ -6,11 +6,12 @@ use crate::exit::{Exit, print, warn};
 use crate::stationary::combinations::{Combination, Combinations};
 use crate::stationary::steady_box::Found;
 use crate::stationary::verdict::singular;
-use ::scenes::linearisation::{Standing, VariedEquations};
-use ::scenes::steady_motions::{SteadyMotion, SteadyStability};
+use ::scenes::linearisation::{Standing, VariedEquations, law_at_rest};
+use ::scenes::steady_motions::{SteadyMotion, SteadyStability, keeps_energy_near_rest};
 use mechanics::one_step_stability::Mode;
 use model::Model;
 use serde_json::{Map, Value, json};
+use std::borrow::Cow;
 use std::fmt::Write;
 use studies::numerical_stability::chart::{Row, rows};
 use studies::numerical_stability::modes::modes;
@@ -104,6 +105,18 @@ fn judged<'a>(asked: &Args, found: &'a Found, (law, is_at_condition): (&Model, b
             )
     };
     let keeps_energy = found.motions.have_potential || ::scenes::keeps_energy(law);
+    let near_motion = |motion: &SteadyMotion| match law_at_rest(law, &motion.state) {
+        // terms without derivatives at rest, which fall faster than the speeds
+        Cow::Owned(law) => {
+            let equations = VariedEquations::of(&law, &[]).map_err(|why| why.to_string())?;
+            near(&equations, motion, || keeps_energy || keeps_energy_near_rest(&law))
+        }
+        Cow::Borrowed(law) => {
+            let rests = motion.state[law.positions()..].iter().all(|speed| *speed == 0.0);
+            let is_kept = || keeps_energy || rests && keeps_energy_near_rest(law);
+            near(equations.as_ref().map_err(Clone::clone)?, motion, is_kept)
+        }
+    };
     let judged = |motion: &'a SteadyMotion| Judged {
         motion,
         near: match &motion.stability {
@@ -111,19 +124,23 @@ fn judged<'a>(asked: &Args, found: &'a Found, (law, is_at_condition): (&Model, b
             _ if is_kink(motion) => {
                 Err("a condition of the law is zero there, and the law is different on each side".to_owned())
             }
-            _ => equations.as_ref().map_err(Clone::clone).and_then(|equations| near(equations, motion, keeps_energy)),
+            _ => near_motion(motion),
         },
     };
     found.motions.motions.iter().map(judged).collect()
 }
 
-fn near(equations: &VariedEquations, motion: &SteadyMotion, keeps_energy: bool) -> Result<Near, String> {
+fn near(
+    equations: &VariedEquations,
+    motion: &SteadyMotion,
+    keeps_energy: impl FnOnce() -> bool,
+) -> Result<Near, String> {
     let linear = equations.about(0.0, &motion.state).map_err(|why| why.to_string())?;
     let eigenvalues = match linear.standing {
         Standing::Moving => without_cyclic(motion)?,
         _ => linear.eigenvalues,
     };
-    let (modes, zeros) = modes(&eigenvalues, keeps_energy)?;
+    let (modes, zeros) = modes(&eigenvalues, keeps_energy())?;
     if modes.is_empty() {
         return Err("every eigenvalue of the linear equations is zero: they decide nothing".to_owned());
     }

@@ -15,6 +15,7 @@ mod degenerate;
 mod dependence;
 mod determinacy;
 mod differentiability;
+mod dissipation;
 mod energy_row;
 mod equations;
 mod families;
@@ -52,6 +53,7 @@ pub use kept_contacts::with_kept_contacts;
 pub use options::{Range, SteadySearch};
 pub use orientations::{InOrientation, Orientation, Steep};
 pub use plane::{Direction, PlaneCell, middles};
+pub use potential::keeps_energy_near_rest;
 pub use refusal::NoSteadyMotions;
 pub use region::{Near, Region};
 pub use spectrum::{

@@ -7,9 +7,10 @@
 //! then Q = -V_q locally. In frames that turn at a given rate, T = T2 + T1 + T0 by powers of the speeds. Jacobi's integral T2 + V - T0 is constant
 //! then, and T1 causes gyroscopic forces, which do no work.
 
-use super::conditions::constant;
-use model::Trace;
-use model::equations::{Equation, vanishes};
+use super::dissipation::take_power;
+use crate::letters::Letters;
+use model::equations::{Equation, Level, Residuals, constraints_of, vanishes};
+use model::{Model, Trace};
 use symbolic::{Sym, substitute_all};
 
 /// Largest number of speeds for this test; its cost grows with the square of the number.
@@ -35,34 +36,14 @@ pub(super) fn energy_integral(
     constraints: &[Equation],
 ) -> Option<EnergyIntegral> {
     let (coordinates, speeds) = (&trace.coordinates, &trace.speeds);
-    let n = speeds.len();
-    if n > MOST_ASKED || !trace.solid().is_empty() || !vanishes(energy.diff(trace.time)) {
+    if speeds.len() > MOST_ASKED || !trace.solid().is_empty() || !vanishes(energy.diff(trace.time)) {
         return None;
     }
-    let reactions = constraints.iter().map(|one| one.multiplier).chain(trace.reactions());
-    let without_reactions: Vec<(Sym, Sym)> = reactions.map(|letter| (letter, Sym::ZERO)).collect();
+    if !is_quadratic(energy, speeds) {
+        return None;
+    }
     let at_rest: Vec<(Sym, Sym)> = speeds.iter().map(|speed| (*speed, Sym::ZERO)).collect();
-    let is_quadratic = (0..n).all(|i| {
-        (0..n).all(|j| {
-            let second = energy.diff(speeds[i]).diff(speeds[j]);
-            second.symbols_of().iter().all(|symbol| !speeds.contains(symbol))
-        })
-    });
-    if !is_quadratic {
-        return None;
-    }
-    let loads: Vec<Sym> = substitute_all(residuals, &without_reactions)
-        .into_iter()
-        .enumerate()
-        .map(|(i, residual)| {
-            let momentum = energy.diff(speeds[i]);
-            let rate =
-                (0..n).map(|j| momentum.diff(coordinates[j]) * speeds[j]).fold(Sym::ZERO, |sum, each| sum + each);
-            residual + rate - energy.diff(coordinates[i])
-        })
-        .collect();
-    let resting = substitute_all(&loads, &at_rest);
-    let of_speeds: Vec<Sym> = loads.iter().zip(&resting).map(|(load, resting)| *load - *resting).collect();
+    let Loads { resting, of_speeds } = Loads::of(trace, residuals, energy, constraints);
     let is_kept = of_speeds.iter().all(|load| vanishes(*load));
     if !(is_kept || take_power(&of_speeds, speeds)) || !is_gradient(&resting, coordinates) {
         return None;
@@ -75,23 +56,69 @@ pub(super) fn energy_integral(
     })
 }
 
-/// Relative rounding error of sums of decimals.
-const ROUNDING: f64 = 1e-13;
+/// Whether a model without contacts and constraints of speeds has linear equations about its positions of rest that keep an energy: its
+/// loads at rest have a potential energy, and to first order in the speeds the others do no work. A force -c v^3 is an example of them.
+pub fn keeps_energy_near_rest(model: &Model) -> bool {
+    symbolic::apart(|| is_kept_near_rest(model))
+}
 
-/// Whether the power of loads is a quadratic form of the speeds with constant coefficients that is nowhere positive, by diagonal dominance; dampers
-/// of coordinates and between two coordinates have this form.
-fn take_power(loads: &[Sym], speeds: &[Sym]) -> bool {
-    let power = loads.iter().zip(speeds).fold(Sym::ZERO, |sum, (load, speed)| sum + *load * *speed);
-    let row = |i: usize| -> Option<Vec<f64>> {
-        let slope = power.diff(speeds[i]);
-        speeds.iter().map(|&speed| constant(slope.diff(speed))).collect()
-    };
-    (0..speeds.len()).all(|i| {
-        row(i).is_some_and(|row| {
-            let others: f64 = (0..row.len()).filter(|&j| j != i).map(|j| row[j].abs()).sum();
-            row[i] <= 0.0 && -row[i] >= others * (1.0 - ROUNDING)
-        })
-    })
+fn is_kept_near_rest(model: &Model) -> bool {
+    let trace = Trace::of(model);
+    let speeds = &trace.speeds;
+    let constraints = constraints_of(&trace);
+    let is_of_positions = |one: &Equation| one.level == Level::Position && one.gains.is_none() && one.law.is_none();
+    if speeds.len() > MOST_ASKED || !(model.contacts.is_empty() && constraints.iter().all(is_of_positions)) {
+        return false;
+    }
+    let Some(equations) = Residuals::of(&trace).into_iter().next() else { return false };
+    let state = [&trace.coordinates[..], speeds].concat();
+    let letters = Letters::with_decimals(trace.time, &state);
+    let residuals = letters.put_into(&trace, &equations.residuals[..model.speeds()]);
+    let energy = letters.put_into(&trace, &[trace.kinetic_energy()])[0];
+    let knows_time = residuals.iter().any(|row| row.symbols_of().contains(&trace.time));
+    if knows_time || !trace.solid().is_empty() || !is_quadratic(energy, speeds) {
+        return false;
+    }
+    let rests: Vec<(Sym, Sym)> = trace.accelerations.iter().map(|own| (*own, Sym::ZERO)).collect();
+    let Loads { resting, of_speeds } = Loads::of(&trace, &substitute_all(&residuals, &rests), energy, &constraints);
+    let at_rest: Vec<(Sym, Sym)> = speeds.iter().map(|speed| (*speed, Sym::ZERO)).collect();
+    let slope = |i: usize, j: usize| of_speeds[i].diff(speeds[j]).substitute(&at_rest);
+    let does_no_work = (0..speeds.len()).all(|i| (0..=i).all(|j| vanishes(slope(i, j) + slope(j, i))));
+    does_no_work && is_gradient(&resting, &trace.coordinates)
+}
+
+/// Whether a kinetic energy has second derivatives by speeds without speeds.
+fn is_quadratic(energy: Sym, speeds: &[Sym]) -> bool {
+    let is_free = |second: Sym| second.symbols_of().iter().all(|symbol| !speeds.contains(symbol));
+    speeds.iter().all(|&one| speeds.iter().all(|&other| is_free(energy.diff(one).diff(other))))
+}
+
+/// The loads behind residuals without accelerations and reactions.
+struct Loads {
+    /// Those without speeds.
+    resting: Vec<Sym>,
+    /// What speeds add to them.
+    of_speeds: Vec<Sym>,
+}
+
+impl Loads {
+    /// The loads Q = R + (T_uq u - T_q), with the kinetic energy T, over the same letters as the residuals R. Reactions of constraints and
+    /// of contacts are zero.
+    fn of(trace: &Trace<'_>, residuals: &[Sym], energy: Sym, constraints: &[Equation]) -> Self {
+        let (coordinates, speeds) = (&trace.coordinates, &trace.speeds);
+        let reactions = constraints.iter().map(|one| one.multiplier).chain(trace.reactions());
+        let without_reactions: Vec<(Sym, Sym)> = reactions.map(|letter| (letter, Sym::ZERO)).collect();
+        let at_rest: Vec<(Sym, Sym)> = speeds.iter().map(|speed| (*speed, Sym::ZERO)).collect();
+        let load = |(i, residual): (usize, Sym)| {
+            let momentum = energy.diff(speeds[i]);
+            let along = coordinates.iter().zip(speeds).map(|(&by, &speed)| momentum.diff(by) * speed);
+            residual + along.fold(Sym::ZERO, |sum, each| sum + each) - energy.diff(coordinates[i])
+        };
+        let loads: Vec<Sym> = substitute_all(residuals, &without_reactions).into_iter().enumerate().map(load).collect();
+        let resting = substitute_all(&loads, &at_rest);
+        let of_speeds = loads.iter().zip(&resting).map(|(load, resting)| *load - *resting).collect();
+        Loads { resting, of_speeds }
+    }
 }
 
 /// Whether expressions are the gradient of a function of `by`.

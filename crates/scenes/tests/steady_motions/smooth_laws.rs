@@ -96,3 +96,31 @@ fn a_drag_with_the_length_of_the_velocity_has_no_part_in_the_linear_equations_at
     // |v| has no derivative at rest
     assert_eq!(verdict("3", "(3 N s/m)*norm(velocity(P))*N.x"), None);
 }
+
+/// Drag and cubic damping take power at all speeds: a minimum of the potential energy is stable although the linear equations keep their energy.
+#[test]
+fn a_minimum_with_drag_of_a_higher_order_alone_is_stable_by_its_energy() {
+    let links = |loads: &str| {
+        format!(
+            "title = \"Links\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[coordinates]\na = \"rad\"\nb = \"rad\"\n[frames]\nA = \"N turned a about z\"\n\
+             B = \"N turned b about z\"\n[points]\nP = \"O - (0.5 m)*A.y\"\nQ = \"P - (0.4 m)*B.y\"\n[bodies]\np = {{ centre = \"P\", mass = \"1 kg\" }}\n\
+             q = {{ centre = \"Q\", mass = \"2 kg\" }}\n{loads}"
+        )
+    };
+    let drag = |body: &str, sign: &str| {
+        format!("[[force]]\non = \"{body}\"\nis = \"{sign}(0.3 kg/m)*norm(velocity({body}))*velocity({body})\"\n")
+    };
+    let damper = |factor: &str| format!("[[force]]\nalong = \"a\"\nis = \"{factor}*a'^3\"\n");
+    let lowest = |loads: &str| {
+        let found = motions(&links(loads), &[("a", -1.0, 1.0), ("b", -1.0, 1.0)]);
+        let [(_, motion)] = &found[..] else { panic!("{loads}: {found:?}") };
+        motion.stability.clone()
+    };
+    let both = drag("p", "-") + &drag("q", "-");
+    for loads in [both.clone(), drag("q", "-"), damper("-(0.1 N m s^3)"), both + &damper("-(0.1 N m s^3)")] {
+        assert!(matches!(lowest(&loads), SteadyStability::MinimumWithLoss), "{loads}: {:?}", lowest(&loads));
+    }
+    for loads in [drag("q", ""), damper("(0.1 N m s^3)"), drag("p", "-") + &drag("q", "")] {
+        assert!(!matches!(lowest(&loads), SteadyStability::MinimumWithLoss), "{loads}: {:?}", lowest(&loads));
+    }
+}

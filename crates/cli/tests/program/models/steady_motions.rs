@@ -135,6 +135,25 @@ fn steps_that_misjudge_a_motion_of_a_file_are_told_for_each_method() {
     );
 }
 
+/// Forces that fall faster than the speeds leave the linear equations, which then keep their energy: x'' + 4 x = 0.
+#[test]
+fn steps_at_rest_are_told_where_drag_grows_with_a_power_of_the_speed() {
+    for (name, drag) in
+        [("cubic", "-(2 N s^3/m^3)*x'^3*N.x"), ("quadratic", "-(2 N s^2/m^2)*norm(velocity(b))*velocity(b)")]
+    {
+        let file = std::env::temp_dir().join(format!("dalembert_{name}_drag_{}.toml", std::process::id()));
+        let text = format!(
+            "title = \"Drag\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = {{ centre = \"O + x*N.x\", mass = \"1 kg\" }}\n[[force]]\non = \"b\"\n\
+             is = \"-(4 N/m)*x*N.x\"\n[[force]]\non = \"b\"\nis = \"{drag}\"\n"
+        );
+        std::fs::write(&file, text).expect("it is written");
+        let told = printed(&["numerical-stability", &file.to_string_lossy(), "--range", "x=-1..1"]);
+        assert!(told.contains("eigenvalues, 1/s: ±2.0000000000i"), "{told}");
+        assert!(told.contains("grows although the motion does not for h > 1.414213562"), "{told}");
+        std::fs::remove_file(&file).expect("it is there");
+    }
+}
+
 /// A blocked motor at the current limit of its amplifier: the current decays at the rate R/L = 2000/s, and Euler's method is stable for
 /// steps up to 2 L/R.
 #[test]
