@@ -33,10 +33,11 @@ pub(super) fn show(asked: &Args, along: &(String, Range)) -> Result<Exit, Exit> 
         warn(&format!("warning: {path}: steady motions are not sought at {} = {}: {why}", found.name, number(*value)));
     }
     let examined = found.along.samples.len() + found.left_out.len();
-    let is_cut = examined < values;
+    let is_cut = found.along.is_cut || examined < values;
     if is_cut {
         warn(&format!(
-            "warning: {}: the time was over after {examined} of {values} values; more time (--seconds) or fewer values (--values) are accepted",
+            "warning: {}: the time was over after {examined} of {values} values, and changes between these may be missing; more time (--seconds) or \
+             fewer values (--values) are accepted",
             asked.scene.display()
         ));
     }

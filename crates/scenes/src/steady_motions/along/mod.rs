@@ -52,6 +52,8 @@ pub struct Along {
     pub visited: Vec<Sample>,
     /// The bifurcations in ascending order of the parameter.
     pub bifurcations: Vec<Bifurcation>,
+    /// Whether the time was over before all changes were found.
+    pub is_cut: bool,
 }
 
 /// Width of a final bracket as a fraction of the range of the parameter.
@@ -131,9 +133,10 @@ impl Along {
             |[before, after]: [Sample; 2]| Bifurcation { before, at: None, after, change: Change::Transcritical };
         bifurcations.extend(passing.into_iter().map(transcritical));
         bifurcations.sort_by(|a, b| (a.before.value * size.signum()).total_cmp(&(b.before.value * size.signum())));
+        let is_cut = !(goes_on.borrow_mut())();
         let mut visited = visited.into_inner();
         visited.sort_by(|a, b| a.value.total_cmp(&b.value));
-        Ok(Along { samples, left_out, visited, bifurcations })
+        Ok(Along { samples, left_out, visited, bifurcations, is_cut })
     }
 }
 
