@@ -6,9 +6,12 @@ use crate::{
     bodies, chart, choose, conform, derive, draw, ensemble, export, failures, inverse, ledger, linearise, motor, new,
     numerical_stability, prove, reference, regimes, regulate, report, review, run, scenes, stationary, watch,
 };
-use clap::{Parser, Subcommand};
+use clap::error::ErrorKind;
+use clap::parser::ValueSource;
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
 use simulation::run::check_tolerance;
+use std::ffi::OsString;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
@@ -34,12 +37,14 @@ use std::str::FromStr;
 /// are made. An existing file is replaced only if the command wrote it, or with --force; a file that the command reads is never
 /// replaced.
 #[derive(Debug, Parser)]
-#[command(name = "dalembert", version, args_conflicts_with_subcommands = true)]
+#[command(
+    name = "dalembert",
+    version,
+    override_usage = "dalembert [-q] [--seconds <N>] [OPTIONS OF THE REPORT]\n       dalembert [-q] [--seconds <N>] <COMMAND>"
+)]
 pub struct Arguments {
     #[command(subcommand)]
     pub command: Option<Command>,
-    #[command(flatten)]
-    pub report: report::Args,
     /// Results and errors only: no progress, no names of files that were written
     #[arg(long, short, global = true)]
     pub quiet: bool,
@@ -47,9 +52,28 @@ pub struct Arguments {
     /// `watch`, `review` without a file, and the report have no limit by default
     #[arg(long, global = true, value_name = "N", value_parser = whole::<u32>(1..=86_400))]
     pub seconds: Option<u32>,
+    #[command(flatten, next_help_heading = "Options of the report, without a command")]
+    pub report: report::Args,
 }
 
 impl Arguments {
+    /// Reads a command line, whose first word is the name of the program.
+    ///
+    /// # Errors
+    /// A message of the parser. An option of the report before a command is refused, since the command would ignore it.
+    pub fn read<T: Into<OsString> + Clone>(words: impl IntoIterator<Item = T>) -> Result<Self, clap::Error> {
+        let mut parser = Self::command();
+        let matches = parser.try_get_matches_from_mut(words)?;
+        let is_given = |option: &&&str| matches.value_source(option) == Some(ValueSource::CommandLine);
+        if let (Some(name), Some(option)) = (matches.subcommand_name(), REPORT_OPTIONS.iter().find(is_given)) {
+            let said = format!(
+                "`--{option}` before `{name}` is an option of the report, which is made without a command; options of `{name}` stand after it"
+            );
+            return Err(parser.error(ErrorKind::ArgumentConflict, said));
+        }
+        Self::from_arg_matches(&matches).map_err(|error| error.format(&mut parser))
+    }
+
     /// The name of the command, whether it keeps partial results, and its time limit in seconds (`None`: no limit).
     pub fn timed(&self) -> (&'static str, Keeps, Option<u32>) {
         use Keeps::{Nothing, Part};
@@ -86,6 +110,9 @@ impl Arguments {
         (name, keeps, self.seconds.or(usual))
     }
 }
+
+/// The options of [`report::Args`].
+const REPORT_OPTIONS: [&str; 4] = ["scenes", "papers", "out", "force"];
 
 /// The default time limit in seconds.
 const USUAL: u32 = 300;
@@ -275,7 +302,7 @@ mod tests {
         let config = ProptestConfig { cases, rng_seed: seed, failure_persistence: None, ..ProptestConfig::default() };
         let word = prop_oneof![9 => prop::sample::select(WORDS).prop_map(str::to_owned), 1 => any::<String>()];
         let outcome = TestRunner::new(config).run(&prop::collection::vec(word, 0..7), |words| {
-            if let Err(refused) = Arguments::try_parse_from(std::iter::once("dalembert".to_owned()).chain(words)) {
+            if let Err(refused) = Arguments::read(std::iter::once("dalembert".to_owned()).chain(words)) {
                 prop_assert!(!refused.to_string().trim().is_empty());
             }
             Ok(())

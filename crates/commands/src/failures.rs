@@ -159,7 +159,7 @@ fn chosen(asked: &Args) -> Result<(Vec<Way>, Vec<Exit>), Exit> {
     let chosen: Vec<Way> = ways.into_iter().filter(|way| way.name().contains(&asked.name)).collect();
     if chosen.is_empty() {
         return Err(Exit::refused(format!(
-            "no way to fail is called `{}`; known: {names}; or a file SCENE.toml with the table [failure]",
+            "no entry is called `{}`; known: {names}; or a file SCENE.toml with the table [failure]",
             asked.name
         )));
     }

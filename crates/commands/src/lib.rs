@@ -84,14 +84,14 @@ pub use regulate::{RegulatorResult, regulator};
 pub use stationary::model::{SteadyMotionsResult, steady_motions};
 
 use arguments::{Arguments, Command};
-use clap::{CommandFactory, Parser};
+use clap::CommandFactory;
 use clap_complete::Shell;
 use exit::Exit;
 use std::process::ExitCode;
 
 /// Runs the command that the arguments of the process specify, and returns the exit code of the process.
 pub fn run() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    let arguments = match Arguments::read(std::env::args_os()) {
         Ok(arguments) => arguments,
         Err(said) => return exit::print_instead(&said).tell(),
     };

@@ -16,8 +16,11 @@ pub fn regimes(model: Model) -> Result<Regimes, Issue> {
     let mut model = Arc::new(model);
     if model.contacts.is_empty() && model.switches.is_empty() {
         let place = model.coordinates.first().map_or(0..0, |first| first.at.clone());
-        let issue =
-            Issue::at(place, "this system has one regime: it has no contact and no condition", "it moves by one law");
+        let issue = Issue::at(
+            place,
+            "this system has one regime: it has no contact and no condition",
+            "`regimes` needs a contact, a diode or a condition",
+        );
         return Err(issue.accepted(
             "[[contact]], [[diode]], [[freewheel]], or an expression with `if`, `sign`, `abs`, `min`, `max` or `table`",
         ));

@@ -78,8 +78,7 @@ impl Writes<'_> {
                 let ends: Vec<&str> = forms.iter().flat_map(Form::ends).copied().collect();
                 let ends = ends.join(" or .");
                 return Err(Exit::refused(format!(
-                    "{} cannot be written: `{}` writes no file whose name ends like this; a name that ends in \
-                     .{ends} is accepted",
+                    "{} cannot be written: `{}` writes .{ends} files only",
                     path.display(),
                     self.maker().name()
                 )));

@@ -93,7 +93,7 @@ fn ranged(text: &str) -> Result<Ranged, String> {
     let (from, to) = range.split_once("..").ok_or_else(accepted)?;
     let (from, to) = (finite(from)?, finite(to)?);
     if from >= to {
-        return Err(format!("{from} is not below {to}; a range that rises is accepted"));
+        return Err(format!("{from} is not below {to}; FROM must be below TO"));
     }
     Ok(Ranged { name: name.to_owned(), range: [from, to] })
 }

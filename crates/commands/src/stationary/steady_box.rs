@@ -54,7 +54,7 @@ pub fn named_range(text: &str) -> Result<(String, Range), String> {
         None => (number(range)?, number(range)?),
     };
     if from > to {
-        return Err(format!("{from} is not below {to}; a range that rises is accepted"));
+        return Err(format!("{from} is not below {to}; FROM must be below TO"));
     }
     Ok((name.trim().to_owned(), Range { from, to }))
 }

@@ -7,12 +7,16 @@ use crate::zero_divisor;
 use model::Model;
 use model::equations::Level;
 use reader::Issue;
+use std::ops::Range;
 
 /// The fault of a start at which the constraints fail for the reason `unmet`.
 pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
     match unmet {
         Unmet::Open(open) => match open.residual {
-            None => zero_divisor::found(model).unwrap_or_else(|| inconsistent(model, &open)),
+            None => zero_divisor::found(model).unwrap_or_else(|| match open.is_rate {
+                true => without_gradient(open.at.clone(), &open.name),
+                false => inconsistent(model, &open),
+            }),
             Some(_) => inconsistent(model, &open),
         },
         Unmet::Redundant { at, name } => {
@@ -40,13 +44,7 @@ pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
                  zero = [\"x\", \"y\"]",
             )
         }
-        Unmet::Jumping { at, name } => {
-            let title = format!("{name} has no derivative where it holds");
-            let issue = Issue::at(at, title, "its gradient jumps there, as that of the norm of a vector at zero");
-            issue.accepted(
-                "the vector itself, which is one constraint for each component: zero = \"Q - S\" in the place of norm(Q - S) and of distance(Q, S)",
-            )
-        }
+        Unmet::Jumping { at, name } => without_gradient(at, &name),
         Unmet::Locked { at, name } => {
             let title = format!("{name} cannot hold in this position");
             let issue = Issue::at(at, title, "no rates of coordinates give it here; in neighbouring positions some do");
@@ -100,12 +98,26 @@ pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
     }
 }
 
+/// The fault of a constraint whose gradient does not exist where the constraint holds.
+fn without_gradient(at: Range<usize>, name: &str) -> Issue {
+    let title = format!("{name} has no derivative where it holds");
+    let label = "its gradient does not exist there, like that of the norm of a vector at zero";
+    Issue::at(at, title, label).accepted(
+        "the vector itself, which is one constraint for each component: zero = \"Q - S\" in the place of norm(Q - S) and of distance(Q, S)",
+    )
+}
+
 /// The fault of a constraint that the completed start still violates.
-fn inconsistent(model: &Model, Open { at, name, residual, unit, is_rate, moved, given, level }: &Open) -> Issue {
+fn inconsistent(model: &Model, open: &Open) -> Issue {
+    let Open { at, name, residual, unit, is_rate, moved, given, others, level } = open;
     let list = |names: &[String]| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
     let rate = if *is_rate { "its rate is" } else { "its value is" };
     if let [first, ..] = moved.as_slice() {
-        let title = format!("{name} was not met from this start");
+        let title = match others.as_slice() {
+            [] => format!("{name} was not met from this start"),
+            [other] => format!("no start was found that satisfies {name} and {other}"),
+            [_, _, ..] => format!("no start was found that satisfies {name} together with the other constraints"),
+        };
         let moved = list(moved);
         let label = match residual {
             Some(residual) => {
@@ -114,12 +126,17 @@ fn inconsistent(model: &Model, Open { at, name, residual, unit, is_rate, moved, 
             None => format!("it has no value where the adjustment of {moved} ended"),
         };
         let fixed = given_speeds(model);
+        let alone = if others.is_empty() {
+            ""
+        } else {
+            "constraints that hold together, since these may contradict each other; or "
+        };
         let accepted = match (level, fixed.as_slice()) {
             (Level::Speed, [_, ..]) => {
                 format!("fewer or other speeds in [start], which gives {}", list(&fixed))
             }
             _ => format!(
-                "another guess in [start], such as {} = \"guess {}\" nearer to a position that exists; or other given values",
+                "{alone}another guess in [start], such as {} = \"guess {}\", nearer to a position at which the constraints hold; or other given values",
                 key(first),
                 match model.free.iter().any(|frame| model.frames[frame.0].name == *first) {
                     true => "20 deg about z",

@@ -222,8 +222,11 @@ impl Constraints {
             names.dedup();
             names
         };
+        let holds = |row: &usize| moved.iter().any(|&speed| jacobian[(*row, speed)] != 0.0);
+        let others = (0..jacobian.nrows()).filter(|row| *row != worst && level == Level::Position).filter(holds);
+        let others = others.map(|row| self.known[row].title.clone()).collect();
         let (moved, given) = (named(moved), named(given));
-        Some(Open { at: at.clone(), name: title.clone(), residual, unit, is_rate, moved, given, level })
+        Some(Open { at: at.clone(), name: title.clone(), residual, unit, is_rate, moved, given, others, level })
     }
 
     /// The unit of a residual; if speeds are solved for, that of the rate of a position constraint.

@@ -53,7 +53,7 @@ impl Constraints {
     }
 
     /// Whether the gradient of a constraint, of the given norm at the state, vanishes at every root found from displaced states.
-    fn vanishes_beside(&self, row: usize, norm: f64, state: &[f64], parameters: &[f64]) -> bool {
+    pub(super) fn vanishes_beside(&self, row: usize, norm: f64, state: &[f64], parameters: &[f64]) -> bool {
         let order = usize::from(self.known[row].level == Level::Speed);
         let n = self.layout.speeds();
         let at = |state: Vec<f64>| {

@@ -55,7 +55,8 @@ impl Constraints {
     /// The indices of constraints that depend on others along every motion.
     ///
     /// # Errors
-    /// [`Unmet::Idle`] for a constraint without effect, [`Unmet::Redundant`] for one that depends on others only at this position.
+    /// [`Unmet::Idle`] for a constraint without effect, [`Unmet::Redundant`] for one that depends on others only at this position,
+    /// [`Unmet::Multiple`] for one whose gradient vanishes wherever it holds.
     pub(super) fn implied(&self, state: &[f64], parameters: &[f64]) -> Result<Vec<usize>, Unmet> {
         let count = self.known.len();
         let jacobian = self.rows(&self.values(0.0, state, parameters), count);
@@ -75,8 +76,16 @@ impl Constraints {
         match rows.dependent.iter().find(is_led).copied().or_else(fails) {
             None => Ok(rows.dependent),
             Some(row) => {
-                let (at, name) = named(row.max(first));
-                Err(Unmet::Redundant { at, name })
+                let row = row.max(first);
+                let (at, name) = named(row);
+                let gradient = jacobian.row(row).norm();
+                Err(match gradient <= RANK * largest {
+                    true if row < self.kept && self.vanishes_beside(row, gradient, state, parameters) => {
+                        Unmet::Multiple { at, name }
+                    }
+                    true => Unmet::Idle { at, name },
+                    false => Unmet::Redundant { at, name },
+                })
             }
         }
     }

@@ -50,6 +50,8 @@ pub struct Open {
     pub moved: Vec<String>,
     /// Names of the values fixed in `[start]` that would change the residual.
     pub given: Vec<String>,
+    /// Names of other constraints on the positions that the adjusted coordinates move.
+    pub others: Vec<String>,
     /// Whether positions or speeds were solved for.
     pub level: Level,
 }

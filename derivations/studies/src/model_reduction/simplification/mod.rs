@@ -68,7 +68,7 @@ impl Simplification {
                 _ => {
                     return Err(format!(
                         "`{part}` names no smaller model; \"without P\" and \"rigid P\" with parameters, \"quasi-steady X\", \"fixed X\", \
-                         \"unfollowed X\" and \"equal X=Y\" with states, and \"linear\" are accepted, several names parted by commas \
+                         \"unfollowed X\" and \"equal X=Y\" with states, and \"linear\" are accepted, several names separated by commas \
                          and several parts by semicolons"
                     ));
                 }
