@@ -1,6 +1,6 @@
 //! The summary of a run, as text or as one JSON object.
 
-use integrators::{Failure, Lost, StepHalvingCheck, StepHalvingVerdict};
+use integrators::{Failure, Lost, StepHalvingCheck, StepHalvingVerdict, Traits};
 use serde_json::{Map, Value, json};
 use simulation::events::Passage;
 use simulation::problem::unit_of_invariant;
@@ -83,7 +83,11 @@ impl Summary<'_> {
         };
         let form = form.map_or_else(String::new, |axes| format!(", {axes} form"));
         line("model", scene.model().to_owned());
-        line("method", format!("{}, tolerance {:e}{form}", choice.method, choice.tolerance));
+        let tolerance = match choice.method.traits() {
+            Traits { adaptive: false, implicit: false, .. } => String::new(),
+            _ => format!(", tolerance {:e}", choice.tolerance),
+        };
+        line("method", format!("{}{tolerance}{form}", choice.method));
         if !completed.is_empty() {
             let value = |(name, value): &(String, f64)| format!("{name} = {}", self.measured(name, *value));
             line("start", format!("completed: {}", completed.iter().map(value).collect::<Vec<_>>().join(", ")));
@@ -93,9 +97,11 @@ impl Summary<'_> {
         told_passages(&trajectory.passages).iter().for_each(|told| line("event", told.line()));
         let stopped = trajectory.stopped();
         match (&stopped, &told.diagnosis) {
-            (None, None) => line("reached", format!("t = {} s", outcome.time)),
-            (None, Some(end)) => line("reached", format!("t = {} s: {end}", outcome.time)),
-            (Some(why), _) => line("stopped", format!("{why}; the last good state is at t = {} s", outcome.time)),
+            (None, None) => line("reached", format!("t = {} s", rounded(outcome.time))),
+            (None, Some(end)) => line("reached", format!("t = {} s: {end}", rounded(outcome.time))),
+            (Some(why), _) => {
+                line("stopped", format!("{why}; the last good state is at t = {} s", rounded(outcome.time)))
+            }
         }
         beside.iter().for_each(|beside| line("steps", beside.to_string()));
         if let (Some(_), Some(diagnosis)) = (&stopped, &told.diagnosis) {
@@ -117,7 +123,7 @@ impl Summary<'_> {
                 unit => format!(" {unit}"),
             };
             let kept = match trajectory.lost() {
-                _ if !deviation.largest.is_finite() => format!("without a value at t = {} s", deviation.at),
+                _ if !deviation.largest.is_finite() => format!("without a value at t = {} s", rounded(deviation.at)),
                 Some((own, Lost { at, size })) if own.name == deviation.name => format!(
                     "lost at t = {at:.9} s, where its change passed a hundredth of its size, {size:.1e}{unit}; in all it changed by at most {:.1e}{unit}. \
                      From there on the numbers are no motion of this system; a finer tolerance keeps it, or shows where the law ends",
@@ -183,6 +189,9 @@ pub fn passed(Passage { time, what, then, .. }: &Passage) -> Value {
 /// The largest number of events that are shown; of a longer list the first and the last events are shown.
 const MOST_SHOWN: usize = 20;
 
+/// The last decimal of shown times, s.
+const SHOWN_TIME: f64 = 1e-9;
+
 /// An event that is shown, or the number of events that are not.
 pub enum EventReport<'a> {
     Passage(&'a Passage),
@@ -196,7 +205,16 @@ pub fn told_passages(passages: &[Passage]) -> Vec<EventReport<'_>> {
         return passages.iter().map(EventReport::Passage).collect();
     }
     let (first, rest) = passages.split_at(MOST_SHOWN / 2);
-    let last = rest[left_out..].iter().map(EventReport::Passage);
+    let mut last = &rest[left_out..];
+    // of events that repeat at the limit of their times the last one is shown
+    while let [one, next, ..] = last
+        && one.what == next.what
+        && next.time - one.time < SHOWN_TIME
+    {
+        last = &last[1..];
+    }
+    let left_out = rest.len() - last.len();
+    let last = last.iter().map(EventReport::Passage);
     first.iter().map(EventReport::Passage).chain([EventReport::LeftOut(left_out)]).chain(last).collect()
 }
 
@@ -220,6 +238,11 @@ const UNDEFINED: &str = "undefined";
 /// The remedy for a run that reached its limit of evaluations.
 const MORE_EVALUATIONS: &str = "a time limit above 300 s allows more evaluations in proportion, --seconds 3000 ten times as many; a coarser \
                                 tolerance, or an implicit method (--method radau_5) of a stiff system, needs fewer";
+
+/// A time rounded to twelve significant digits, since sums of steps leave rounding errors.
+fn rounded(time: f64) -> f64 {
+    format!("{time:.11e}").parse().unwrap_or(time)
+}
 
 /// A number with nine decimals, or in scientific notation where these would be inaccurate.
 fn readable(value: f64) -> String {

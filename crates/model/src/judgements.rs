@@ -108,7 +108,7 @@ pub fn judgements(trace: &Trace<'_>) -> Vec<Judgement> {
 /// Returns a sentence on an equation that is redundant only on the branch of the start.
 fn on_its_branch(implied: &Implied) -> Option<String> {
     let start = implied.branch.as_ref()?;
-    Some(format!("{} follows from the others on the branch of the start, {start}, and is left out", implied.title))
+    Some(format!("{} follows from the others for positions near the start, {start}, and is left out", implied.title))
 }
 
 /// Checks that the principles that use quasi-velocities agree in the quasi-velocities of the file.

@@ -1,6 +1,6 @@
 //! Faults of systems that no motion can start from, each with its place in the file.
 
-use crate::modes::{Refused, Unfit};
+use crate::modes::{NEGATIVE, RESTITUTION, Refused, Unfit};
 use crate::readiness::refused;
 use crate::row_units::measured;
 use model::Model;
@@ -14,7 +14,12 @@ pub(crate) fn not_started(model: &Model, why: Refused) -> Issue {
             let one = &model.contacts[contact];
             let title = format!("this system cannot start: {why}");
             let found = found.map_or_else(String::new, |(value, unit)| format!(": {}", measured(value, unit)));
-            Issue::at(one.at.clone(), title, one.title(contact) + &found).accepted(accepted)
+            let place = match why {
+                NEGATIVE => &one.friction_at,
+                RESTITUTION => &one.restitution_at,
+                _ => &one.at,
+            };
+            Issue::at(place.clone(), title, one.title(contact) + &found).accepted(accepted)
         }
         Refused::Motion { why, switch: None } if !model.contacts.is_empty() => {
             let places = model.contacts.iter().map(|contact| &contact.at);

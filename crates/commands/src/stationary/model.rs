@@ -120,7 +120,7 @@ pub(super) fn body(all: &Found) -> String {
         ),
         true if !branches.is_empty() => writeln!(
             out,
-            "\n{count}; on the branch of the start {} from other constraints, and there is no other motion on this branch; other branches are not \
+            "\n{count}; for positions near the start {} from other constraints, and there is no other motion on this branch; other branches are not \
              searched",
             if branches.len() == 1 {
                 format!("{} follows", branches[0])

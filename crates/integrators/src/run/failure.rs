@@ -134,7 +134,7 @@ impl fmt::Display for Failure {
                 write!(f, "Newton did not converge at t = {}, with a step down to {step:.1e}", Instant(*at))
             }
             Failure::LeftTheNumbers { at } => {
-                write!(f, "overflow or NaN: the rates or the state are not finite after t = {}", Instant(*at))
+                write!(f, "overflow or NaN: the rates or the state are not finite after t = {} s", Instant(*at))
             }
             Failure::Stiff { at } => {
                 write!(

@@ -115,7 +115,7 @@ impl fmt::Display for Work {
             write!(f, ", {} of the constraints alone", self.constraints)?;
         }
         if self.outputs > 0 {
-            write!(f, "; in addition {} steps for outputs between the steps", self.outputs)?;
+            write!(f, "; {} extra steps to output times between the steps", self.outputs)?;
         }
         Ok(())
     }

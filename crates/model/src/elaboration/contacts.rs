@@ -102,6 +102,8 @@ impl Elaborator<'_> {
             with: plane.body,
             point: on.point,
             through,
+            friction_at: source.friction.as_ref().map_or_else(|| source.at.clone(), Text::span),
+            restitution_at: source.restitution.as_ref().map_or_else(|| source.at.clone(), Text::span),
             is_line: source.between.is_some(),
             guide: None,
             is_touching: source.touching || plane.sides == Sides::Both,
@@ -227,7 +229,7 @@ fn law_of(source: &ContactSource) -> Sound<Restitution> {
         _ => Err(Box::new(Fault::at(
             text.span(),
             "the law of restitution is Newton's, Poisson's or Moreau's",
-            "none of them",
+            "not one of these",
             "impact = \"newton\", impact = \"poisson\", impact = \"moreau\"",
         ))),
     }

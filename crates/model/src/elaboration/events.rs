@@ -56,7 +56,7 @@ impl Elaborator<'_> {
                 _ => {
                     let accepted = "\"up\", \"down\" or \"both\"";
                     let title = format!("`{}` is not a direction in which an expression passes zero", word.text.trim());
-                    return Err(Box::new(Fault::at(word.span(), title, "this one", accepted)));
+                    return Err(Box::new(Fault::at(word.span(), title, "not one of these", accepted)));
                 }
             },
         };

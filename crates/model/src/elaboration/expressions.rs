@@ -180,11 +180,11 @@ impl Elaborator<'_> {
                 format!("rate({base}) is the rate of any scalar"),
             ))),
             (None, _) if matches!(name, "pi" | "PI" | "Pi" | "π") => {
-                let title = format!("no letter is called `{name}`");
+                let title = format!("no parameter or coordinate is called `{name}`");
                 Err(Box::new(Fault::at(span.clone(), title, "not known", "half a turn is (180 deg)")))
             }
             (None, _) if self.source.outputs.iter().any(|output| output.name.text == name) => {
-                let title = format!("`{name}` is an output, and no letter");
+                let title = format!("`{name}` is an output, not a parameter or coordinate");
                 let accepted = format!("{name} under [definitions]: then expressions and outputs have it");
                 Err(Box::new(Fault::at(span.clone(), title, "not known here", accepted)))
             }
@@ -195,7 +195,7 @@ impl Elaborator<'_> {
                     &self.broken,
                     span.clone(),
                     name,
-                    "letter, point, frame or definition",
+                    "parameter, coordinate, point, frame or definition",
                     known.into_iter(),
                 )))
             }

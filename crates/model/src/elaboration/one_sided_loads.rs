@@ -26,7 +26,7 @@ pub(super) fn one_sided(model: &Model, loads: &[(Load, Range<usize>)]) -> Vec<Fa
             at.clone(),
             "this load brakes a motion one way, and drives it the other way",
             "its power has an odd power of the speeds",
-            "`-c*abs(w)*w`, which brakes both ways; of a motion that goes one way alone it may stay",
+            "`-c*abs(w)*w`, which brakes both ways; if the speed never changes its sign, the load may stay as it is",
         )
     };
     // in a system given by energies only, speeds have no direction in space

@@ -12,12 +12,7 @@ pub(super) fn unused(source: &Source) -> Vec<Fault> {
     let is_unused = |entry: &&Entry| !used.contains(entry.name.text.as_str());
     let warning = |entry: &Entry| {
         let title = format!("the parameter `{}` is not used", entry.name.text);
-        Fault::at(
-            entry.name.span(),
-            title,
-            "no expression of the file contains it",
-            "an expression that contains it; or remove the parameter",
-        )
+        Fault::at(entry.name.span(), title, "no expression of the file contains it", "use it or remove it")
     };
     source.parameters.iter().filter(is_unused).map(warning).collect()
 }

@@ -273,7 +273,7 @@ impl Elaborator<'_> {
             .split_once(" turned ")
             .and_then(|(parent, rest)| Some((parent, rest, rest.rsplit_once(" about ")?)));
         let Some((parent, rest, (angle, axis))) = parsed else {
-            return Err(wrong("a frame is a turn of another about an axis", "this is none"));
+            return Err(wrong("a frame is `N turned ANGLE about z`, or `N free`", "this is neither"));
         };
         let angle_start = text.text.len() - rest.len();
         let parent = self.frame(&text.slice(0..parent.len()))?;

@@ -181,7 +181,7 @@ impl fmt::Display for Reason {
                 "products are written with *, scalar products as `a . b` or dot(a, b), cross products as cross(a, b)"
             ),
             Self::Dot => write!(f, "a scalar product is written with a space on both sides: `a . b`"),
-            Self::Parenthesis => write!(f, "a parenthesis without its partner"),
+            Self::Parenthesis => write!(f, "this parenthesis is not closed"),
             Self::Exponent => {
                 write!(f, "an exponent is a number from -64 to 64, x^2 or x^1.5, or a fraction in parentheses: x^(1/3)")
             }

@@ -78,8 +78,12 @@ pub struct Contact {
     pub reaction_unit: String,
     /// The coefficient of friction mu; `None` for a frictionless contact.
     pub friction: Option<ScalarId>,
+    /// The range of bytes of the coefficient of friction in the file; that of the contact if it is omitted.
+    pub friction_at: Range<usize>,
     /// The coefficient of restitution e; zero if it is omitted.
     pub restitution: Option<ScalarId>,
+    /// The range of bytes of the coefficient of restitution in the file; that of the contact if it is omitted.
+    pub restitution_at: Range<usize>,
     /// The law of impact.
     pub law: Restitution,
     /// The other body; `None` for the ground.

@@ -49,7 +49,7 @@ pub(super) fn left_out_between_events(trace: &Trace<'_>, form: &MatrixForm) -> V
     let implied = |implied: &crate::Implied| match &implied.branch {
         None => format!("{} follows from the others and is left out.", implied.title),
         Some(start) => format!(
-            "{} follows from the others on the branch of the start, {start}; on others it does not. It is left out.",
+            "{} follows from the others for positions near the start, {start}; on other branches it does not. It is left out.",
             implied.title
         ),
     };

@@ -81,7 +81,7 @@ impl<'a> Table<'a> {
                 (self.span.clone(), None)
             }
         };
-        self.inside(name, span, entries)
+        self.inside(&heading, span, entries)
     }
 
     /// Reads an array of tables, `[[name]]`; empty if the key is absent. `needed` describes the accepted input in messages.
@@ -91,10 +91,11 @@ impl<'a> Table<'a> {
             self.wrong_kind(found.span(), name, found.get_ref(), needed);
             return Vec::new();
         };
+        let heading = if self.name.is_empty() { name.to_owned() } else { format!("{}.{name}", self.name) };
         let mut tables = Vec::new();
         for item in items.iter() {
             match item.get_ref() {
-                DeValue::Table(entries) => tables.push(self.inside(name, item.span(), Some(entries))),
+                DeValue::Table(entries) => tables.push(self.inside(&heading, item.span(), Some(entries))),
                 other => self.wrong_kind(item.span(), name, other, needed),
             }
         }

@@ -107,7 +107,8 @@ impl Table<'_> {
                     Ok(value) if (least..=most).contains(&value) => value,
                     _ => {
                         let title = format!("`{key}` is out of range");
-                        self.report(Issue::at(span.clone(), title, "not in the range").accepted(accepted));
+                        let label = format!("it is {}", number.as_str());
+                        self.report(Issue::at(span.clone(), title, label).accepted(accepted));
                         least
                     }
                 }

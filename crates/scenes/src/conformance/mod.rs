@@ -47,7 +47,7 @@ fn verdict(found: &Agreement, says: &str) -> PropertyVerdict {
 fn principles(model: &Model) -> PropertyVerdict {
     let trace = Trace::of(model);
     match agreement(&trace, Principle::Lagrange, Principle::NewtonEuler) {
-        Ok(found) => verdict(&found, "Lagrange's equations are those of the bodies with the loads of their joints"),
+        Ok(found) => verdict(&found, "Lagrange's equations agree with the equations of Newton and Euler for each body"),
         Err(why) => PropertyVerdict::DoesNotApply(why.to_string()),
     }
 }

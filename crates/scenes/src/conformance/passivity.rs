@@ -34,7 +34,7 @@ pub(super) fn verdict(model: &Model) -> PropertyVerdict {
         if !chooses && !trace.speeds.iter().any(|speed| held.contains(speed)) {
             let rubs = model.contacts.iter().any(|contact| contact.friction.is_some());
             let beside = if rubs { ", apart from friction in contacts" } else { "" };
-            return PropertyVerdict::Proved(format!("no force changes with the speeds{beside}"));
+            return PropertyVerdict::Proved(format!("no force depends on speeds{beside}"));
         }
         match (!chooses).then(|| quadratic(&trace, &forces)).flatten().map(is_never_positive) {
             Some(true) => PropertyVerdict::Proved(

@@ -68,6 +68,7 @@ use simulation::events::{Cause, Passage, Segment, Switching};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 pub(crate) use touches::NEGATIVE;
+pub(crate) use unfit::RESTITUTION;
 pub use unfit::Unfit;
 use words::Words;
 

@@ -15,7 +15,7 @@ const CLOSES: &str =
     "a contact closes with a velocity where a motion should begin: an impact, before which one has to begin";
 const PULLS: &str =
     "a contact pulls where it should push: its normal does not point to where its gap grows, or nothing moves along it";
-pub(super) const RESTITUTION: &str = "a coefficient of restitution is not between 0 and 1";
+pub(crate) const RESTITUTION: &str = "a coefficient of restitution is not between 0 and 1";
 
 /// A contact at which a motion cannot start, with the reason.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,7 +62,7 @@ fn wrong(
         (
             !(0.0..=1.0).contains(&restitution),
             RESTITUTION,
-            "a number from 0, without a bounce, to 1, without a loss",
+            "a number from 0 (no bounce) to 1 (no loss)",
             Some((restitution, "1")),
         ),
         (

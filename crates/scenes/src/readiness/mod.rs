@@ -144,7 +144,7 @@ pub(crate) fn leave_out(model: &mut Model, Completed { state, implied }: &Comple
         model.implied.push(Implied { of, title: title.clone(), branch: branch.clone() });
         let title = match branch {
             None => format!("{title} follows from other constraints"),
-            Some(start) => format!("{title} follows from other constraints on the branch of the start, {start}"),
+            Some(start) => format!("{title} follows from other constraints for positions near the start, {start}"),
         };
         let label =
             "its reaction is shown as zero, since the division of the load among these constraints is not determined";

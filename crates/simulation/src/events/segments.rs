@@ -89,7 +89,7 @@ const SHORT: f64 = 0.02;
 const MOST_TOGETHER: usize = 64;
 
 /// The reason of a run that ends where its events accumulate.
-pub const ACCUMULATE: &str = "infinitely many events follow each other in a finite time";
+pub const ACCUMULATE: &str = "the events accumulate: infinitely many occur in a finite time";
 
 /// Why a run ends where events follow each other too fast.
 pub const TOO_MANY: &str = "20,000 events follow each other within 2 % of the span";

@@ -68,7 +68,7 @@ impl fmt::Display for Reason {
             Self::Number => write!(f, "no number of at most 60 digits and 1e60"),
             Self::Name(name) => write!(f, "`{name}` is not known here"),
             Self::Function(name) => write!(f, "`{name}` is no function: sqrt, cos and sin are"),
-            Self::Parenthesis => write!(f, "a parenthesis without its partner"),
+            Self::Parenthesis => write!(f, "this parenthesis is not closed"),
             Self::Exponent => write!(f, "an exponent is an integer from -{LARGEST} to {LARGEST}"),
             Self::Zero => write!(f, "a division by zero"),
             Self::Depth => write!(f, "parentheses deeper than {DEEPEST}"),

@@ -24,7 +24,7 @@ pub(super) fn zeno(run: &Samples<'_>) -> RunFailure {
         kind: FailureKind::Zeno,
         at,
         evidence: format!("the times of {} have this limit{shrink}", names(run)),
-        remedy: "a [[contact]] with `restitution` in the place of an event that sets a speed: it rests where its rebounds end; or an \
+        remedy: "a [[contact]] with `restitution` in the place of an event that sets a speed: the body then rests after its last rebound; or an \
                  [[event]] with `end = true`"
             .to_owned(),
     }

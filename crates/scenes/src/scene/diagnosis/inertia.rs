@@ -37,6 +37,9 @@ const NAMED: f64 = 0.1;
 /// Displacement of a coordinate in SI units, or of the time in spans, that shows whether the singularity depends on it.
 const ASIDE: f64 = 0.05;
 
+/// A coordinate below this part of its largest value along the run is shown as zero.
+const ZERO: f64 = 1e-6;
+
 /// Least ratio of the eigenvalue after the displacement to that before. With less, the eigenvalue is small but not singular at the place.
 const RISE: f64 = 20.0;
 
@@ -67,11 +70,16 @@ pub(super) fn singular(run: &Samples<'_>) -> Option<RunFailure> {
     let (_, direction) = look.least(time, &state)?;
     let names: Vec<String> = named(model, &direction);
     let place = match look.cause(time, &state, run.scene.run.span, least)? {
-        Cause::Coordinate(place) => format!(" at {}", run.told(place, state[place])),
+        Cause::Coordinate(place) => {
+            let largest = sound.iter().map(|(_, state)| state[place].abs()).fold(0.0, f64::max);
+            let value = if state[place].abs() < ZERO * largest { 0.0 } else { state[place] };
+            format!(" at {}", run.told(place, value))
+        }
         Cause::Time => String::new(),
     };
     let is_of_bodies = model.energies.kinetic.is_none() && apart(|| has_constant_masses(model));
-    let smaller = format!("the least eigenvalue of the mass matrix is {:.1e} of its usual size", least / usual);
+    let smaller =
+        format!("the least eigenvalue of the mass matrix is {:.1e} of its median along the run", least / usual);
     let (together, moves) = if names.len() > 1 { (" together", "move") } else { ("", "moves") };
     let names = names.join(", ");
     let work = run.trajectory.outcome.work;
