@@ -59,7 +59,7 @@ impl Judged {
     pub fn sound(&self) -> Result<(), String> {
         if self.verdict != self.expected {
             return Err(format!(
-                "{}: {} was expected, found {}: {}",
+                "{}: expected {}, got {}: {}",
                 self.id,
                 self.expected.name(),
                 self.verdict.name(),

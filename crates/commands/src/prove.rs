@@ -95,7 +95,11 @@ fn text(row: &Judgement, known: &mut Vec<(Vec<String>, String)>) -> String {
             None => known.push((divisors.clone(), row.title())),
         }
     }
-    format!("{}: {said}\n{}", row.title(), behind.collect::<String>())
+    let title = match (&row.subject, &row.agreement) {
+        (Subject::Mistake { says, .. }, Err(why)) => format!("This mistake does not apply ({says}): {why}"),
+        _ => format!("{}: {said}", row.title()),
+    };
+    format!("{title}\n{}", behind.collect::<String>())
 }
 
 fn object(row: &Judgement) -> serde_json::Value {

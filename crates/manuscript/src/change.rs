@@ -100,21 +100,37 @@ pub struct Change {
     pub after: String,
 }
 
+impl Change {
+    /// The change in words: a part that is replaced, inserted or removed, with its place.
+    fn says(&self) -> String {
+        let Change { words, before, after, .. } = self;
+        if before.is_empty() {
+            return match words.strip_suffix(&format!(" `{after}`")) {
+                Some(what) => format!("insert {what} `{after}`"),
+                None => format!("insert `{after}`: {words}"),
+            };
+        }
+        if after.is_empty() {
+            return format!("remove `{before}`: {words}");
+        }
+        match words.split_once(&format!("`{after}` for `{before}`")) {
+            Some((what, place)) => format!("replace {what}`{before}` by `{after}`{place}"),
+            None => format!("replace `{before}` by `{after}`: {words}"),
+        }
+    }
+}
+
 impl Correction {
-    /// The changes in words: ``the sign of the second term: `m g` -> `-m g` ``.
+    /// The changes in words: ``replace `m g` by `-m g`: the sign of the second term``.
     pub fn says(&self) -> String {
-        let each = self.changes.iter().map(|Change { words, before, after, .. }| {
-            let told = |part: &str| if part.is_empty() { "nothing".to_owned() } else { format!("`{part}`") };
-            format!("{words}: {} -> {}", told(before), told(after))
-        });
-        let each = each.collect::<Vec<_>>();
+        let each = self.changes.iter().map(Change::says).collect::<Vec<_>>();
         let count = if each.len() > FEW { format!("{} places differ: ", each.len()) } else { String::new() };
         count + &each.join("; ")
     }
 
     /// The changes in words, with formulas between dollar signs.
     pub(crate) fn typeset(&self) -> String {
-        let says = self.says().replace(" -> ", " $\\to$ ");
+        let says = self.says();
         let mut parts = says.split('`');
         let mut text = parts.next().unwrap_or_default().to_owned();
         for (place, part) in parts.enumerate() {

@@ -49,7 +49,7 @@ impl Finding {
         let Judged { id, verdict, evidence, objections, .. } = &self.judged;
         match self.expected {
             Some(expected) if expected != *verdict => {
-                Err(format!("{id}: {} was expected, found {}: {evidence}", expected.name(), verdict.name()))
+                Err(format!("{id}: expected {}, got {}: {evidence}", expected.name(), verdict.name()))
             }
             _ => objections.first().map_or(Ok(()), |objection| Err(format!("{id}: {objection}"))),
         }
@@ -90,7 +90,7 @@ impl Finding {
             line("at", &values.join(", "));
         }
         if let Some((difference, _)) = difference {
-            line("missing", difference);
+            line("missing", &format!("{difference} on the right side"));
         }
         if self.corrections.len() > 1 {
             line("several", &format!("{} edits of one size make it true", self.corrections.len()));

@@ -44,7 +44,7 @@ pub(crate) fn allowed(trace: &Trace<'_>, is_dynamic: bool) -> String {
         !(trace.model.events.is_empty() && trace.model.switches.is_empty() && trace.model.contacts.is_empty());
     let between = if changes { "between events and changes of contacts and conditions, " } else { "" };
     match (is_dynamic, constraints) {
-        (true, _) => format!("{between}along every motion: any combination of the model's equations of motion{held}"),
+        (true, _) => format!("{between}along every motion: the claim may use the model's equations of motion{held}"),
         (false, 0) => "identically: for all positions, speeds and accelerations".to_owned(),
         (false, _) => format!(
             "for all positions, speeds and accelerations that the constraints allow:{}",

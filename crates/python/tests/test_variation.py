@@ -87,7 +87,7 @@ def test_faults_of_a_call_are_told_by_its_keys():
         "from": ({"k": {"from": 2, "to": 1}}, r'`vary\["k"\]`: `to` is less than `from`'),
         "key": ({"k": {"form": 2, "to": 1}}, r'`vary\["k"\]`: unknown key `form`'),
         "name": ({"kk": {"from": 1, "to": 2}}, r'`vary\["kk"\]`: unknown key `kk`.*known here: x.*; parameters: m, k'),
-        "unit": ({"k": {"from": "1 m", "to": "2 m"}}, r'`vary\["k"\]`: .*this is m; needed is kg s\^-2'),
+        "unit": ({"k": {"from": "1 m", "to": "2 m"}}, r'`vary\["k"\]`: .*this is m, but must be kg s\^-2'),
         "count": ({"k": {"values": [1, 2]}}, r'`vary\["k"\]`: .*2 numbers where 3 are needed'),
     }
     for vary, words in faults.values():

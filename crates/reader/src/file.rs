@@ -144,7 +144,7 @@ fn opening<F: Family>(top: &mut Table<'_>) -> Option<Opening> {
     if let (Some(span), false) = (top.place_of(MODEL), top.has("system")) {
         let title = "this command reads only scenes of the built-in systems";
         let issue = Issue::at(span, title, "this file has coordinates of its own");
-        let accepted = "`derive`, `prove`, `conform`, `draw`, `export`, `watch`, `review`, `linearise`, `inverse`, `regulate`, `regimes`, `stationary`, `numerical-stability`, `run`, `ensemble`, `chart`, `choose` and `reference` read it";
+        let accepted = "commands that accept this file: `derive`, `prove`, `conform`, `draw`, `export`, `watch`, `review`, `linearise`, `inverse`, `regulate`, `regimes`, `stationary`, `numerical-stability`, `run`, `ensemble`, `chart`, `choose` and `reference`";
         top.report(issue.accepted(accepted));
         top.known_all();
         return None;

@@ -101,7 +101,23 @@ pub fn parse_prescribed(
         let told = |fault: Fault| {
             let within = |end: usize| options.text.len().min(end.saturating_sub(behind));
             let place = within(fault.span.start)..within(fault.span.end);
-            Issue::at(place, format!("a prescribed motion: {}", fault.title), fault.label).accepted(fault.accepted)
+            let title = format!("a prescribed motion: {}", fault.title);
+            let motion = options.expressions.iter().position(|start| *start == place.start);
+            let dimensions =
+                fault.label.strip_suffix(" on the right").and_then(|both| both.split_once(" on the left, "));
+            // the prescribed quantity was added behind the expression of a coordinate or current
+            match (motion, dimensions) {
+                (Some(motion), Some((found, needed)))
+                    if fault.span.end > behind + place.start + motions[motion].1.len() =>
+                {
+                    let (name, is) = &motions[motion];
+                    let label = format!("`{name}` has the dimension {needed}, `{is}` the dimension {found}");
+                    let accepted =
+                        "an expression of this dimension; a number with a unit stands in parentheses: (20 mm)";
+                    Issue::at(place, title, label).accepted(accepted)
+                }
+                _ => Issue::at(place, title, fault.label).accepted(fault.accepted),
+            }
         };
         warn_of(file, text, &own.warnings);
         let model = Model::of(&source).map_err(|faults| wrong.extend(faults.into_iter().map(told))).ok()?;

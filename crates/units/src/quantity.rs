@@ -146,8 +146,8 @@ impl fmt::Display for NoQuantity {
                 write!(f, "{rows} rows of {columns} numbers are needed; found rows of {found}")
             }
             Self::Unit(unit) => write!(f, "{unit}"),
-            Self::Dimension { found, needed } => write!(f, "this is {found}; needed is {needed}"),
-            Self::UnitMissing { needed } => write!(f, "no unit; needed is {needed}"),
+            Self::Dimension { found, needed } => write!(f, "this is {found}, but must be {needed}"),
+            Self::UnitMissing { needed } => write!(f, "no unit, but must be {needed}"),
         }
     }
 }

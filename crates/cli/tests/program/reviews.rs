@@ -76,7 +76,7 @@ fn a_file_that_no_commit_has_is_refused_with_what_is_accepted() {
     let output = run(&["review", &path, "--against", "nowhere"]);
     let why = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(
-        output.status.code() == Some(2) && why.contains("a commit that has this file, or another file, is accepted"),
+        output.status.code() == Some(2) && why.contains("the file is not in a git repository; give --against FILE"),
         "{why}"
     );
     std::fs::remove_file(file).expect("it is there");

@@ -161,7 +161,11 @@ fn in_file(name: PrincipleName) -> Result<NamedPrinciple, Exit> {
     // some principles exist only for built-in systems
     named.ok_or_else(|| {
         let names: Vec<&str> = NamedPrinciple::all().into_iter().map(NamedPrinciple::name).collect();
-        Exit::refused(format!("for a system that is written in its file the principle may be: {}", names.join(", ")))
+        let own = name.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned());
+        Exit::refused(format!(
+            "`{own}` applies to built-in systems only; for a system in its file: {}",
+            names.join(", ")
+        ))
     })
 }
 

@@ -4,7 +4,7 @@ use crate::csv::{headed as csv_headed, line};
 use crate::spectrum;
 use ::scenes::linearisation::{Linear, Names, Point, Standing, VariedEquations};
 use ::scenes::steady_motions::{EnclosedSpectrum, NotEnclosed};
-use ::scenes::unit_of;
+use ::scenes::{unit_of, unit_of_rate};
 use model::Model;
 use nalgebra::DVector;
 use serde_json::json;
@@ -21,6 +21,8 @@ pub(super) struct Found {
 pub(super) struct Headed {
     names: Names,
     headed: HashMap<String, String>,
+    /// The units of coordinates, of speeds and of their rates.
+    units: HashMap<String, String>,
 }
 
 impl Headed {
@@ -31,7 +33,14 @@ impl Headed {
             let unit = if name.starts_with("turn about ") { "rad".to_owned() } else { unit_of(model, name) };
             (name.clone(), csv_headed(name, &unit))
         });
-        Headed { headed: headed.collect(), names }
+        let coordinates = names.coordinates.iter().map(|name| (name.clone(), unit_of(model, name)));
+        let speeds = names.speeds.iter().flat_map(|name| {
+            let unit = unit_of(model, name);
+            let rate = unit_of_rate(&unit);
+            [(name.clone(), unit), (format!("{name}'"), rate)]
+        });
+        let units = coordinates.chain(speeds).collect();
+        Headed { headed: headed.collect(), units, names }
     }
 
     /// The coordinates, speeds and accelerations of a point as text. Rounding errors are shown as zero, and at a steady motion all accelerations.
@@ -43,7 +52,11 @@ impl Headed {
             accelerations: without_rounding(&point.accelerations) * still,
             ..point.clone()
         };
-        let written = |name: &str, value: f64| format!("{name} = {}", number(value).trim());
+        let written = |name: &str, value: f64| {
+            let unit = self.units.get(name).filter(|unit| *unit != "1");
+            let unit = unit.map_or_else(String::new, |unit| format!(" {unit}"));
+            format!("{name} = {}{unit}", number(value).trim())
+        };
         let rates = |place: usize| {
             let name = &self.names.speeds[place];
             [written(name, point.speeds[place]), written(&format!("{name}'"), point.accelerations[place])]

@@ -19,9 +19,13 @@ pub(super) fn of(file: &Path, against: &str) -> Result<SystemText, Exit> {
     let name = file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let folder = folder.to_string_lossy();
     let text = git(&["-C", &folder, "show", &format!("{against}:./{name}")]).map_err(|why| match why {
+        Exit::Refused(why) if why.contains("not a git repository") => {
+            Exit::refused(format!("{}: the file is not in a git repository; give --against FILE", file.display()))
+        }
         Exit::Refused(why) => Exit::refused(format!(
-            "{}: --against {against}: {why}; a commit that has this file, or another file, is accepted",
-            file.display()
+            "{}: --against {against}: {}; a commit that has this file, or another file, is accepted",
+            file.display(),
+            why.trim_start_matches("error: ")
         )),
         other => other,
     })?;

@@ -205,7 +205,7 @@ impl Reader<'_> {
         if self.known.len() > MOST_LISTED {
             listed += ", ...";
         }
-        let accepted = format!("{near}declared are: {listed}");
+        let accepted = format!("{near}declared letters: {listed}");
         Err(NotFormula::at(span, format!("unknown letter `{spelt}`"), "not declared in [letters]", accepted))
     }
 }

@@ -29,7 +29,7 @@ fn what_has_two_readings_is_asked_for_at_its_place() {
         ("{a b}^2", "{", "braces are not printed"),
         ("sin(x)", "sin", r"\sin"),
         ("x_1", "x_1", "is `x` meant"),
-        ("z", "z", "declared are: x, y"),
+        ("z", "z", "declared letters: x, y"),
         ("x'", "x'", r"\dot{x}"),
         ("2 3", "3", "two numbers"),
         ("1,5 x", ",", "comma"),

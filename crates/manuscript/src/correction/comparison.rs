@@ -209,7 +209,7 @@ impl<G: Ground> Side<'_, G> {
                 EditKind::LostTerm,
                 end..end,
                 format!(" {sign} {latex}"),
-                format!("the lost term `{sign} {latex}`"),
+                format!("the missing term `{sign} {latex}`"),
             )
         };
         terms.iter().map(edit).collect()

@@ -128,7 +128,7 @@ fn added(terms: impl Iterator<Item = (Range<usize>, Vec<(&'static str, String)>)
     let mut all: Vec<Edit> = Vec::new();
     for (sum, terms) in terms {
         for (sign, latex) in terms {
-            let words = format!("the lost term `{sign} {latex}`");
+            let words = format!("the missing term `{sign} {latex}`");
             let edit = Edit::new(EditKind::LostTerm, sum.end..sum.end, format!(" {sign} {latex}"), words);
             if !all.contains(&edit) {
                 all.push(edit);

@@ -12,7 +12,7 @@ fn a_formula_with_two_readings_is_shown_with_a_caret() {
     assert!(told.contains(r"it is not clear where the argument of `\sin` ends"), "{told}");
     assert!(told.contains(r"formula = 'T = m \sin \theta l'") && told.contains("^^^^"), "{told}");
     let told = refused(&claim(r"'T = k l'"));
-    assert!(told.contains("unknown letter `k`") && told.contains("declared are: m, l, g"), "{told}");
+    assert!(told.contains("unknown letter `k`") && told.contains("declared letters: m, l, g"), "{told}");
     // in a string with escapes the whole formula is marked
     let told = refused(&claim(r#""T = \\sin \\theta l""#));
     assert!(told.contains("argument of"), "{told}");

@@ -109,7 +109,7 @@ fn equivalent_conditions_follow_from_each_other() {
 #[test]
 fn an_expectation_that_is_not_met_is_told() {
     let found = on_pendulum("formula", r"T = 0", "expect = \"proved\"");
-    assert!(found.as_expected().is_err_and(|why| why.contains("proved was expected, found refuted")));
+    assert!(found.as_expected().is_err_and(|why| why.contains("expected proved, got refuted")));
 }
 
 #[test]

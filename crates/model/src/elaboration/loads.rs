@@ -1,5 +1,6 @@
 //! Gravity, energies, constraints, outputs and the start. Forces and torques are in the module `forces`.
 
+use super::names::wrong_dimension;
 use super::one_sided_loads::Load;
 use super::rates::accelerated;
 use super::value::Value;
@@ -329,7 +330,7 @@ impl Elaborator<'_> {
         let (si, found) = units::quantity::parse_any(number).map_err(|wrong| fault(wrong.to_string()))?;
         let found = found.of_expressions();
         if found != needed {
-            return Err(fault(format!("this has the dimension {found}")));
+            return Err(fault(wrong_dimension(number, found)));
         }
         if order == 0 && self.model.coordinates[coordinate].unit == "rad" {
             self.judge_angle(value.span(), number, "\"{} deg\"");

@@ -3,6 +3,7 @@
 use crate::{Fault, Source, Text};
 use rustc_hash::FxHashSet;
 use std::ops::Range;
+use symbolic::Dimension;
 
 /// Returns the fault of a name that has two definitions, with the kind of the other one.
 pub(super) fn defined_twice(source: &Source, name: &Text) -> Fault {
@@ -31,6 +32,14 @@ pub(super) fn once_for_each_name(faults: &mut Vec<Fault>) {
         Some((_, name)) => told.insert(name.to_owned()),
         None => true,
     });
+}
+
+/// Returns the label of a number of the dimension `found`, which is not the needed one.
+pub(super) fn wrong_dimension(number: &str, found: Dimension) -> String {
+    match number.trim().parse::<f64>() {
+        Ok(_) => format!("`{}` has no unit", number.trim()),
+        Err(_) => format!("this has the dimension {found}"),
+    }
 }
 
 /// Returns the fault of an unknown name, with the most similar known name. If the definition of the name is wrong, this is only a consequence.

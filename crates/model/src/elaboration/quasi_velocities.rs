@@ -1,5 +1,6 @@
 //! Quasi-velocities: names, dimensions and start values. Their independence is checked after the whole system is known.
 
+use super::names::wrong_dimension;
 use super::{Elaborator, Sound};
 use crate::quasi_velocities::faults;
 use crate::{Entry, Fault, Model, Output, QuasiVelocity, ScalarId, StartSpeed, Trace};
@@ -60,7 +61,7 @@ impl Elaborator<'_> {
         let (si, found) = units::quantity::parse_any(&value.text).map_err(|wrong| fault(wrong.to_string()))?;
         let found = found.of_expressions();
         if found != needed {
-            return Err(fault(format!("this has the dimension {found}")));
+            return Err(fault(wrong_dimension(&value.text, found)));
         }
         Ok(StartSpeed { of, value: si, at: value.span() })
     }

@@ -64,7 +64,7 @@ impl<'a> Reader<'a> {
             }
             Ok(found) => {
                 let found = found.map_or_else(String::new, |found| found.to_string());
-                (format!("this is {found}; needed is {needed}"), format!("an expression in {}", kind.unit))
+                (format!("this is {found}, but must be {needed}"), format!("an expression in {}", kind.unit))
             }
             Err(reason) => (reason.to_string(), letters.known()),
         };

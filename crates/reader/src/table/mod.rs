@@ -229,8 +229,11 @@ impl<'a> Table<'a> {
                 None => format!("known here: {}", known().collect::<Vec<_>>().join(", ")),
             };
             self.missing.retain(|(key, _)| Some(key) != absent.as_ref());
-            self.issues
-                .push(Issue::at(key.span(), format!("unknown key `{name}`"), "not known here").accepted(accepted));
+            let title = match self.name.ends_with("vary.parameters") {
+                true => format!("no parameter is called `{name}`"),
+                false => format!("unknown key `{name}`"),
+            };
+            self.issues.push(Issue::at(key.span(), title, "not known here").accepted(accepted));
         }
         self.issues.extend(self.missing.into_iter().map(|(_, issue)| issue));
         self.issues

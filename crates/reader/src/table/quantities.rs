@@ -102,6 +102,7 @@ impl Table<'_> {
 pub(super) fn with_article(meaning: &str) -> String {
     match meaning.split_once(", ") {
         Some((letter, rest)) if !letter.contains(' ') || letter.contains(" + ") => format!("{letter}, the {rest}"),
+        _ if meaning.starts_with("a ") => meaning.to_owned(),
         _ => format!("the {meaning}"),
     }
 }

@@ -173,7 +173,7 @@ impl<'a> Task<'a> {
         let model = &*scene.model;
         let Some(regulator) = &model.regulator else {
             let issue = Issue::at(0..0, "this file has no [regulator]", "in this file");
-            return Err(issue.accepted("[regulator] with cost = \"(x/(1 m))^2 + (u/(10 N))^2\""));
+            return Err(issue.accepted("add a table [regulator], such as cost = \"(x/(1 m))^2 + (u/(10 N))^2\""));
         };
         let refused = |title: String, accepted: &str| {
             Err(Issue::at(regulator.at[0].clone(), title, "this regulator").accepted(accepted.to_owned()))

@@ -270,11 +270,17 @@ fn refused(text: &str, parts: &[&str]) {
 fn faults_of_an_ensemble_are_told_at_their_place() {
     let all = pendula();
     let vary = |from: &str, to: &str| with(&all, from, to);
-    refused(&vary("parameters.m2 =", "parameters.m3 ="), &["unknown key `m3`", "known here: m1, m2, l1, l2, g"]);
+    refused(
+        &vary("parameters.m2 =", "parameters.m3 ="),
+        &["no parameter is called `m3`", "known here: m1, m2, l1, l2, g"],
+    );
     refused(&vary("parameters.m2 =", "parameter.m2 ="), &["unknown key `parameter`", "is `parameters` meant?"]);
     refused(&vary("start.\"b'\" =", "start.\"c'\" ="), &["unknown key `c'`"]);
-    refused(&vary("\"5 cm\"", "\"5 kg\""), &["`deviation`, the parameter `l1`, cannot be read", "this is kg", "`m`"]);
-    refused(&vary("to = \"60 deg\"", "to = \"60 m\""), &["`to`, the start of `a`, cannot be read"]);
+    refused(
+        &vary("\"5 cm\"", "\"5 kg\""),
+        &["`deviation`, a value for the parameter `l1`, cannot be read", "this is kg", "`m`"],
+    );
+    refused(&vary("to = \"60 deg\"", "to = \"60 m\""), &["`to`, a value for the start of `a`, cannot be read"]);
     refused(&vary("to = \"60 deg\"", "to = \"20 deg\""), &["`to` is less than `from`"]);
     refused(&vary("mean = \"1 m\", ", ""), &["how `l1` varies is not said", "{ from, to }"]);
     refused(

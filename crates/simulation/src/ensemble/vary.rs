@@ -55,7 +55,7 @@ pub fn read(
     variables: Option<&[Variable]>,
     example: &str,
 ) -> Option<Variation> {
-    let mut table = top.table("ensemble", "members, seed, and in [ensemble.vary] what varies");
+    let mut table = top.table("ensemble", "members, seed, and in [ensemble.vary] the values that vary");
     if !table.exists() {
         issues.extend(table.finish());
         return None;
@@ -116,6 +116,7 @@ fn datum(
         return None;
     }
     let mut law = table.optional_table(key)?;
+    let meaning = &format!("a value for the {meaning}");
     let row = |law: &mut Table<'_>, which| law.optional_row(which, meaning, components, unit);
     let [from, to, mean, deviation] = ["from", "to", "mean", "deviation"].map(|which| row(&mut law, which));
     let listed = match components {

@@ -214,7 +214,7 @@ fn an_equilibrium_that_motions_reach_is_told() {
     let output = run(&["linearise", file, "--about", "equilibrium"]);
     let (text, told) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     assert_eq!(output.status.code(), Some(0), "{told}");
-    assert!(text.contains("z = -0.5, z' = 0"), "{text}");
+    assert!(text.contains("z = -0.5 m, z' = 0 m/s"), "{text}");
     assert!(
         told.contains("this equilibrium is one that motions from the start reach; it belongs to a family of equilibria with one parameter"),
         "{told}"

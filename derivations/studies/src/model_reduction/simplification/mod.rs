@@ -67,9 +67,9 @@ impl Simplification {
                 Some(place) if !names.is_empty() => &mut *lists[place].1,
                 _ => {
                     return Err(format!(
-                        "`{part}` names no smaller model; \"without P\" and \"rigid P\" with parameters, \"quasi-steady X\", \"fixed X\", \
-                         \"unfollowed X\" and \"equal X=Y\" with states, and \"linear\" are accepted, several names separated by commas \
-                         and several parts by semicolons"
+                        "`{part}` names no smaller model. With parameters: \"without P\", \"rigid P\"; with states: \"quasi-steady X\", \"fixed X\", \
+                         \"unfollowed X\", \"equal X=Y\"; without a name: \"linear\". Several names are separated by commas, several parts by \
+                         semicolons"
                     ));
                 }
             };
