@@ -296,6 +296,16 @@ mod tests {
     ];
 
     #[test]
+    fn options_before_a_command_are_its_own_or_refused() {
+        let read = |words: &[&str]| Arguments::read(words.iter().map(|word| (*word).to_owned()));
+        assert!(read(&["dalembert", "-q", "ledger"]).is_ok_and(|read| read.quiet && read.command.is_some()));
+        assert!(read(&["dalembert", "--seconds", "5", "ledger"]).is_ok_and(|read| read.seconds == Some(5)));
+        assert!(read(&["dalembert", "--out", "a.html"]).is_ok_and(|read| read.command.is_none()));
+        let refused = read(&["dalembert", "--out", "a.html", "ledger"]).map_err(|error| error.to_string());
+        assert!(refused.is_err_and(|why| why.contains("`--out` before `ledger` is an option of the report")));
+    }
+
+    #[test]
     fn any_command_line_is_taken_or_refused_with_a_reason() {
         let cases = std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(2000);
         let seed = RngSeed::Fixed(1743);

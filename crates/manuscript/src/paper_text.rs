@@ -139,9 +139,13 @@ fn paper(top: &mut Table<'_>, name: &str, text: &str, key: &str) -> PaperText {
     };
     let (citation, summary) =
         (said("citation", "authors, title, journal, year"), said("summary", "subject of the paper"));
-    let letters = letters(top, text);
+    let is_scene = ["coordinates", "system"].iter().any(|key| top.has(key)) && !top.has("claim") && !top.has("letters");
+    let letters = if is_scene { Vec::new() } else { letters(top, text) };
     let claims = claims(top, text);
-    if !top.has("claim") {
+    if is_scene {
+        let issue = Issue::at(0..0, "this file states no claim: it is a scene, not a paper", "nothing to judge");
+        top.report(issue.accepted("`run` and most other commands take a scene; a paper has [letters] and [[claim]]"));
+    } else if !top.has("claim") {
         let issue = Issue::at(0..0, "this file states no claim", "nothing to judge");
         top.report(issue.accepted("[[claim]] with equation, kind and formula, once for each formula of the paper"));
     }

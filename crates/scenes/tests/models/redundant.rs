@@ -171,6 +171,15 @@ fn what_depends_on_others_at_the_start_alone_is_refused() {
                 [[constraint]]\nzero = \"x^2 + y^2 - (1 m^2)\"\n[[constraint]]\nzero = \"x - (1 m)\"\n[start]\nx = \"1 m\"\n[run]\nspan = \"1 s\"\n";
     let error = ModelScene::parse("t.toml", text).expect_err("it is singular").to_string();
     assert!(error.contains("depends on other constraints at the start"), "{error}");
+    let one = |zero: &str, start: &str| {
+        let head = text.split("[[constraint]]").next().expect("a beginning");
+        let text = format!("{head}[[constraint]]\nzero = \"{zero}\"\n[start]\n{start}\n[run]\nspan = \"1 s\"\n");
+        ModelScene::parse("t.toml", &text).expect_err("it is singular").to_string()
+    };
+    let error = one("(x - y)^2", "x = \"0.3 m\"\ny = \"0.3 m\"");
+    assert!(error.contains("the gradient of constraint 1 is zero wherever the constraint holds"), "{error}");
+    let error = one("norm(x*N.x + y*N.y)", "x = \"0 m\"\ny = \"0 m\"");
+    assert!(error.contains("its gradient does not exist there"), "{error}");
     // a stabilised constraint, which need not hold at the start, depends on the others, too
     let led = "[[constraint]]\nzero = \"2*a - 2*b\"\nprogrammed = { gains = [\"(8 1/s)\", \"(16 1/s^2)\"] }\n[outputs]";
     let error = ModelScene::parse("t.toml", &with("[outputs]", led)).expect_err("it is singular").to_string();
