@@ -252,7 +252,7 @@ impl<'s> Elaborator<'s> {
 
     fn read(&self, text: &Text) -> Sound<Expression> {
         read(&text.text).map_err(|wrong| {
-            let title = "this is no expression";
+            let title = "this expression cannot be read";
             Box::new(Fault::at(text.part(&wrong.span), title, wrong.reason.to_string(), EXAMPLES))
         })
     }

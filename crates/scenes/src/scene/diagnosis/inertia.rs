@@ -43,6 +43,10 @@ const ZERO: f64 = 1e-6;
 /// Least ratio of the eigenvalue after the displacement to that before. With less, the eigenvalue is small but not singular at the place.
 const RISE: f64 = 20.0;
 
+/// The remedy for a singular chart.
+const OTHER_COORDINATES: &str = "other coordinates: `F = \"N free\"` in [frames] in the place of three angles, or Cartesian coordinates with a \
+                     [[constraint]] in the place of polar or spherical ones; or a start whose motion stays away from there";
+
 /// The failure of a run that comes to a position with a singular mass matrix.
 pub(super) fn singular(run: &Samples<'_>) -> Option<RunFailure> {
     let model = run.model();
@@ -84,14 +88,19 @@ pub(super) fn singular(run: &Samples<'_>) -> Option<RunFailure> {
     let names = names.join(", ");
     let work = run.trajectory.outcome.work;
     let cost = format!("{} steps and {} rejected ones were made in all", work.steps, work.rejected);
+    // a fixed step does not shorten near the position
+    let step = match run.choice.method.steps() {
+        Some(_) => {
+            "first a smaller step or a method that adapts its step, since a step that is too large comes there by its error; or "
+        }
+        None => "",
+    };
     Some(match is_of_bodies {
         true => RunFailure {
             kind: FailureKind::SingularChart,
             at: time,
             evidence: format!("{names}{together} {moves} no body{place}: {smaller}; {cost}"),
-            remedy: "other coordinates: `F = \"N free\"` in [frames] in the place of three angles, or Cartesian coordinates with a \
-                     [[constraint]] in the place of polar or spherical ones; or a start whose motion stays away from there"
-                .to_owned(),
+            remedy: format!("{step}{OTHER_COORDINATES}"),
         },
         false => RunFailure {
             kind: FailureKind::SingularMassMatrix,
