@@ -14,7 +14,7 @@ const LOOK: Duration = Duration::from_millis(50);
 /// The stack of the work, in bytes: that of a main thread, since expressions are deep.
 const STACK: usize = 8 << 20;
 
-/// What the work tells the thread that waits for it.
+/// A message of the work to the thread that waits for it.
 enum Told<R> {
     Warning(String),
     Result(R),
@@ -24,7 +24,7 @@ enum Told<R> {
 type Hand = Box<dyn Fn(&str)>;
 
 thread_local! {
-    /// Of the thread of some work.
+    /// Set in the thread of some work.
     static HAND: RefCell<Option<Hand>> = const { RefCell::new(None) };
 }
 
