@@ -8,7 +8,7 @@ use crate::letters::Letters;
 use crate::lines::Line;
 use crate::motion::Motion;
 use crate::position_letters::by_position_letters;
-use crate::refutation::Refutation;
+use crate::refutation::{LONG, Refutation};
 use field::Elementary;
 use model::equations::Equations;
 use std::cell::OnceCell;
@@ -145,8 +145,10 @@ pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: To
         plainest(form.to_sym(), line.own, motion, told)
     };
     let [left, right] = line.model;
-    let value = short(motion.reduced(left) - motion.reduced(right)).map(|own| (own, String::new()));
     let of_equations = (kind == Kind::EquationOfMotion).then(|| closest(left - right, motion, &short)).flatten();
+    let along = motion.reduced(left) - motion.reduced(right);
+    let is_short = of_equations.is_none() || Sym::operations_of(&[along]) <= LONG;
+    let value = if is_short { short(along) } else { None }.map(|own| (own, String::new()));
     let found = match (value, of_equations) {
         (Some(value), Some(equation)) if length(equation.0) < length(value.0) => Some(equation),
         (value, equation) => value.or(equation),

@@ -2,7 +2,7 @@
 
 use crate::certificate::Record;
 use crate::claim_text::{ClaimText, Kind};
-use crate::combination::told_combination;
+use crate::combination::{Combination, told_combination};
 use crate::conditions::{Hypothesis, assume, conditions};
 use crate::display::{Told, divisors, missing, shown};
 use crate::equation::{Outcome, vanishes, vanishes_or_fails};
@@ -45,10 +45,21 @@ pub(crate) fn equalities(
     }
     let mut requires: Vec<Sym> = Vec::new();
     let (mut is_dynamic, mut by_squares) = (false, false);
+    let mut combined = None;
+    let are_free = assumed.iter().all(|hypothesis| hypothesis.equality.is_none());
     finding.judged.verdict = Verdict::Proved;
     for line in &lines {
         let difference = line.model[0] - line.model[1];
         let equal = Condition::Equal(line.model[0], line.model[1]);
+        if let (Some(Ok(motion)), true) = (&along, are_free)
+            && let Some(combination) = Combination::of(difference, motion)
+        {
+            is_dynamic = true;
+            combination.recorded(motion, assumed, equal, record);
+            requires.extend(&combination.requires);
+            combined = Some(combination);
+            continue;
+        }
         let given = conditions(&by_constraints, assumed);
         let plain = match along {
             None => vanishes_or_fails(&by_constraints, difference, &given),
@@ -142,8 +153,12 @@ pub(crate) fn equalities(
         finding.judged.requires.extend(divisors(&requires, told));
     }
     finding.allowed = allowed(trace, is_dynamic);
+    let by_equations = |line: &Line, motion: &Motion<'_, '_>| match &combined {
+        Some(combination) => combination.told(motion, told),
+        None => told_combination(line.model[0] - line.model[1], motion, told),
+    };
     if let (true, Verdict::Proved, [line], Some(Ok(motion))) = (is_dynamic, finding.judged.verdict, &lines[..], &along)
-        && let Some(combination) = told_combination(line.model[0] - line.model[1], motion, told)
+        && let Some(combination) = by_equations(line, motion)
     {
         finding.allowed += &format!("; here {combination}");
     }

@@ -5,7 +5,8 @@ use crate::exact_points::{Effort, completed, search};
 use crate::half_turn::{is_number_of_half_turn, sign_of_number};
 use crate::lost_divisors::Lost;
 use crate::motion::Motion;
-use crate::refutation::Refutation;
+use crate::refutation::{LONG, Refutation};
+use crate::turned_points;
 use claims::Condition;
 use model::equations::constraints_of;
 use symbolic::{Decision, HIGHEST_MULTIPLE, Identity, Node, Sym, Witness, decide, identified};
@@ -23,10 +24,13 @@ pub(crate) enum Outcome {
     Undecided(String),
 }
 
-/// The number of operations above which an expression is evaluated in prime fields and at exact points before its normal form is computed.
+/// No normal form of longer expressions is computed: they are evaluated in prime fields and at exact points.
 const MOST_EXPANDED: usize = 4_000;
 
-/// Decides whether an expression vanishes along the motion wherever the conditions hold.
+/// The largest number of points at which angles are fractions of pi.
+const POINTS_OF_ANGLES: u32 = 200;
+
+/// Whether an expression is zero along the motion where the conditions hold.
 pub(crate) fn vanishes(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition]) -> Outcome {
     vanishes_within(motion, expression, conditions, Effort::Whole)
 }
@@ -72,6 +76,18 @@ fn found(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition], eff
         && let Some(found) = at_points(motion, reduced, conditions, effort)
     {
         return found;
+    }
+    // the normal form of an expression of a linkage outgrows every limit, so that an exact point is looked for first
+    if Sym::operations_of(&[reduced]) > LONG
+        && matches!(identified(&[reduced]), Identity::NotZero)
+        && motion.undetermined(reduced).is_none()
+        && motion.open.is_empty()
+    {
+        match (search(&[reduced], conditions, motion, effort, |signs| signs[0] != 0), effort) {
+            (Some(refutation), _) => return Outcome::NonZero(refutation),
+            (None, Effort::Part) => return Outcome::Undecided("no plainer point was found".to_owned()),
+            (None, Effort::Whole) => {}
+        }
     }
     match decide(reduced, &motion.hypotheses) {
         Decision::Zero(proof) => Outcome::Zero(proof.requires),
@@ -151,7 +167,7 @@ fn refuted(
         point: witness.point.into_iter().filter(|(leaf, _)| !is_number_of_half_turn(*leaf)).collect(),
     };
     if let Some(refutation) = completed(found(witness), conditions) {
-        return Outcome::NonZero(refutation);
+        return Outcome::NonZero(at_real_angles(&refutation, motion, reduced, conditions).unwrap_or(refutation));
     }
     // positive letters are replaced by squares, except within angles, where the square would have no exact sine
     let is_in_angle = |letter: Sym| {
@@ -185,6 +201,20 @@ fn refuted(
             Outcome::Undecided(why.to_owned())
         }
     }
+}
+
+/// A point at which angles are fractions of pi, in the place of one that takes sines and cosines as independent of their angles.
+fn at_real_angles(
+    formal: &Refutation,
+    motion: &Motion<'_, '_>,
+    reduced: Sym,
+    conditions: &[Condition],
+) -> Option<Refutation> {
+    if !formal.is_formal || !motion.hypotheses.statements().is_empty() {
+        return None;
+    }
+    let found = turned_points::find(&[reduced], conditions, POINTS_OF_ANGLES, |signs| signs[0] != 0)?;
+    found.is_confirmed(reduced, motion).then_some(found)
 }
 
 /// The name of a symbol for readers; a multiplier is named as the reaction of its constraint.

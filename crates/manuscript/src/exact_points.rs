@@ -4,14 +4,18 @@ use crate::constraint_circles::Circles;
 use crate::drawn_numbers::Draw;
 use crate::half_turn::{holds_half_turn, is_half_turn};
 use crate::motion::Motion;
-use crate::refutation::{self, Refutation, exact};
+use crate::refutation::{self, LONG, Refutation, exact};
 use crate::turned_points;
 use claims::Condition;
+use std::cell::Cell;
 use symbolic::{Hypotheses, Node, Sym, normal};
 
 /// The number of trial points for expressions without square roots; [`POINTS_OF_ROOTS`] applies to expressions with roots, which are slower.
 const POINTS: u32 = 4_000;
 const POINTS_OF_ROOTS: u32 = 600;
+
+/// The number of points at which a long expression, whose numbers may outgrow the exact fractions of fixed size, is tried with longer ones.
+const POINTS_OF_LONG: u32 = 100;
 
 /// The effort of a search: all trial points, or a part of them if a less suitable point is known already.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -54,6 +58,8 @@ pub(crate) fn search(
         };
     };
     draw.leaves.retain(|leaf| !circles.gives(*leaf));
+    let is_long = expressions.iter().any(|each| Sym::operations_of(&[*each]) > LONG);
+    let long = Cell::new(if is_long { POINTS_OF_LONG } else { 0 });
     draw.find(
         effort.of(points),
         |point| circles.completed(point),
@@ -61,6 +67,10 @@ pub(crate) fn search(
             let values = exact(point);
             let rational = |each: Sym| values.value(each).filter(|value| value.is_defined())?.sign();
             let there = |each: Sym| Refutation { point: point.to_vec(), is_formal: false }.value(each);
+            let by_long = |each: Sym| match long.replace(long.get().saturating_sub(1)) {
+                0 => None,
+                _ => there(each).and_then(refutation::sign),
+            };
             let by_half_turn =
                 |each: Sym| if holds_half_turn(each) { there(each).and_then(refutation::sign) } else { None };
             let by_roots = |each: Sym| if has_root(&each) { there(each).and_then(refutation::sign) } else { None };
@@ -74,7 +84,8 @@ pub(crate) fn search(
             };
             let signs = || -> Option<Vec<i8>> {
                 let sign = |each: &Sym| {
-                    let found = rational(*each).or_else(|| by_roots(*each)).or_else(|| by_half_turn(*each));
+                    let exactly = rational(*each).or_else(|| by_long(*each));
+                    let found = exactly.or_else(|| by_roots(*each)).or_else(|| by_half_turn(*each));
                     found.map(|sign| sign as i8)
                 };
                 expressions.iter().map(sign).collect()

@@ -33,7 +33,11 @@ use claims::certificate::Certificate;
 use claims::{Condition, Judged, Verdict};
 use latex::{Statement, read};
 use reader::{Issue, SceneError};
+use std::time::{Duration, Instant};
 use symbolic::Sym;
+
+/// The times after which the search for corrections of one claim is cut, one round of all claims after the other.
+const SHARES: [Duration; 4] = [Duration::from_secs(2), Duration::from_secs(8), Duration::from_secs(32), Duration::MAX];
 
 impl PaperText {
     /// Judges all claims in the order of the file, and searches for corrections of refuted ones.
@@ -104,10 +108,15 @@ impl PaperText {
                     Err(issues) => faults.push((claim, issues)),
                 }
             }
-            for (place, (claim, statement)) in judged.iter().enumerate() {
-                if findings[place].judged.verdict == Verdict::Refuted {
-                    correct(self, claim, statement, &letters, (&goes_on, is_certified), &mut findings[place]);
-                    told(&findings);
+            // each search has a share of the time; one that was cut is repeated with a longer share when all others had theirs
+            for share in SHARES {
+                for (place, (claim, statement)) in judged.iter().enumerate() {
+                    if findings[place].judged.verdict == Verdict::Refuted && findings[place].search == Search::Cut {
+                        let start = Instant::now();
+                        let goes_on = || goes_on() && start.elapsed() < share;
+                        correct(self, claim, statement, &letters, (&goes_on, is_certified), &mut findings[place]);
+                        told(&findings);
+                    }
                 }
             }
             Ok(PaperFindings::of(self, findings, faults))
@@ -142,7 +151,11 @@ fn correct(
     };
     let missing = finding.judged.difference.clone();
     let judge = Judge { decide: &decide, goes_on, missing: missing.as_ref() };
-    finding.corrections = corrections(claim, statement, letters, &assumed, &judge);
+    let found = corrections(claim, statement, letters, &assumed, &judge);
+    // a shorter search may have found some
+    if !found.is_empty() {
+        finding.corrections = found;
+    }
     finding.search = if goes_on() { Search::Whole } else { Search::Cut };
     let values = finding.judged.counterexample.iter().map(|(name, value)| format!("{name} = {value}"));
     let at = values.collect::<Vec<_>>().join(", ");

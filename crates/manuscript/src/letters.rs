@@ -330,7 +330,8 @@ impl Meaning for InPaper<'_, '_, '_> {
     }
 
     fn rate(&self, of: Sym) -> Result<Sym, String> {
-        if of.symbol_name().is_some() {
+        // a derivative is a symbol here, and has no dot above it
+        if of.symbol_name().is_some_and(|name| !name.starts_with("d(")) {
             return Ok(match of.to_string().ends_with('\'') {
                 false => dotted(of, 1),
                 true => {

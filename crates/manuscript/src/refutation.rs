@@ -6,6 +6,9 @@ use claims::{Condition, Point};
 use field::Analytic;
 use symbolic::{Hypotheses, Node, Sym, decide, normal};
 
+/// The number of operations, common parts counted once, beyond which a normal form may be very long.
+pub(crate) const LONG: usize = 200;
+
 /// An exact point at which an expression is not zero or has a wrong sign.
 pub(crate) struct Refutation {
     /// Symbols of the model, and cosines and sines of its angles, with their values.
@@ -19,11 +22,16 @@ impl Refutation {
     pub fn value(&self, expression: Sym) -> Option<Sym> {
         let at = |expression: Sym| {
             let there = with_exact_turns(self.with_parts_of_angles(expression).substitute(&self.point));
+            // the normal form of a long expression is computed where it is one of numbers
+            if is_long(expression) && !there.symbols_of().into_iter().all(is_half_turn) {
+                return None;
+            }
             let form = normal(there, &Hypotheses::none()).ok()?.to_sym();
             form.symbols_of().into_iter().all(is_half_turn).then_some(form)
         };
-        // the normal form expresses multiples of angles by the angles of the point
-        at(expression).or_else(|| at(normal(expression, &Hypotheses::none()).ok()?.to_sym()))
+        // multiples of angles are expressed by the angles of the point
+        let expanded = || at(normal(expression, &Hypotheses::none()).ok()?.to_sym());
+        at(expression).or_else(|| if is_long(expression) { None } else { expanded() })
     }
 
     /// An expression with an angle expressed by the part of it whose sine and cosine the point contains: sin(a) by sin(a/2) and cos(a/2).
@@ -97,6 +105,10 @@ impl Refutation {
         let by_enclosure = || by_half_turn().map(|sign| condition.allows(sign));
         condition.holds_at(&exact(&self.point)).or_else(by_roots).or_else(by_enclosure)
     }
+}
+
+fn is_long(expression: Sym) -> bool {
+    Sym::operations_of(&[expression]) > LONG
 }
 
 /// An angle that is a rational multiple of a letter, such as a/2.

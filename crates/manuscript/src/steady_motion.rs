@@ -45,6 +45,11 @@ impl Resting {
         Ok(found)
     }
 
+    /// The speeds that are constant, and need not be zero.
+    pub fn constant_speeds(&self, letters: &Letters<'_, '_>) -> Vec<Sym> {
+        self.speeds.iter().map(|&place| letters.trace.speeds[place]).collect()
+    }
+
     /// The rates that vanish on the motion, each with the value zero.
     pub fn rates(&self, letters: &Letters<'_, '_>) -> Vec<(Sym, Sym)> {
         let trace = letters.trace;

@@ -34,18 +34,31 @@ impl Reader<'_> {
         let start = self.at;
         self.at += 1;
         let (above, below) = (self.argument(start)?, self.argument(start)?);
-        if let Some(sign) = self.differential(below.start) {
-            return self.derivative(start, sign, above, below);
+        let is_plain = |at: usize| matches!(self.tokens.get(at).map(|token| &token.kind), Some(Kind::Letter('d')));
+        let is_rate =
+            is_plain(above.start) && matches!(spelling(&self.tokens[below.clone()]).as_str(), "dt" | "dt^2" | "dt^{2}");
+        if is_rate && self.is_declared("d") && self.is_declared("t") {
+            let title = "`d` and `t` are declared letters, so that this is a rate, or a quotient of products";
+            let accepted =
+                r"\frac{\mathrm{d}}{\mathrm{d}t}(x) for the rate; the quotient without the common factor `d`";
+            return Err(self.refused(start, title, "which one?", accepted));
+        }
+        if let Some(sign) = self.differential(below.start, is_rate) {
+            return self.derivative(start, sign, above, below, is_rate);
         }
         let (above, below) = (self.within(above)?, self.within(below)?);
         Ok(self.term(start, Form::Quotient(Box::new(above), Box::new(below))))
     }
 
-    /// Reads the sign of a derivative: `d`, `\mathrm{d}` or `\partial`. Returns the sign and its end; a declared letter `d` is not such a sign.
-    fn differential(&self, at: usize) -> Option<(char, usize)> {
+    fn is_declared(&self, name: &str) -> bool {
+        self.known.iter().any(|letter| letter == name)
+    }
+
+    /// The sign of a derivative at a place: `d`, `\mathrm{d}` or `\partial`, and its end. A declared letter d is one above and below the bar of a rate.
+    fn differential(&self, at: usize, is_rate: bool) -> Option<(char, usize)> {
         let token = self.tokens.get(at)?;
         match &token.kind {
-            Kind::Letter('d') if !self.known.iter().any(|letter| letter == "d") => Some(('d', at + 1)),
+            Kind::Letter('d') if is_rate || !self.is_declared("d") => Some(('d', at + 1)),
             Kind::Command(name) if name == "partial" => Some(('p', at + 1)),
             Kind::Command(name) if name == "mathrm" || name == "text" => {
                 let end = argument_end(self.tokens, at + 1)?;
@@ -62,10 +75,11 @@ impl Reader<'_> {
         (sign, after): (char, usize),
         above: Range<usize>,
         below: Range<usize>,
+        is_rate: bool,
     ) -> Read<Term> {
         let accepted = r"\frac{d}{dt}(a), \frac{d a}{dt}, \frac{d^2 a}{dt^2}, \frac{\partial L}{\partial x}";
         let wrong = |reader: &Self| reader.refused(start, "this derivative is not read", "here", accepted);
-        let Some((own, mut from)) = self.differential(above.start).filter(|_| !above.is_empty()) else {
+        let Some((own, mut from)) = self.differential(above.start, is_rate).filter(|_| !above.is_empty()) else {
             return Err(wrong(self));
         };
         if own != sign {

@@ -96,3 +96,24 @@ fn vectors_have_products() {
         assert!(of(r"\mathbf{r} \mathbf{v}").is_err() && of(r"\mathbf{r} + m").is_err() && of(r"m^T").is_err());
     });
 }
+
+#[test]
+fn a_rate_is_read_beside_a_letter_d() {
+    apart(|| {
+        let plain = Plain::of(&[("d", "d"), ("x", "x")]);
+        for (latex, text) in [
+            (r"\frac{d}{dt} x", "x'"),
+            (r"\frac{d x}{d t}", "x'"),
+            (r"\frac{d^2 x}{dt^2}", "x''"),
+            (r"\frac{d x}{d}", "x"),
+        ] {
+            let read = plain.side(latex).unwrap_or_else(|fault| panic!("{latex}: {fault}"));
+            let expected = Sym::symbol(text);
+            assert!(decide(read - expected, &Hypotheses::none()).is_zero(), "{latex} is read as {read}");
+        }
+        let both = Plain::of(&[("d", "d"), ("t", "t"), ("x", "x")]);
+        let fault = both.side(r"\frac{d x}{d t}").expect_err("it is a rate or a quotient");
+        assert!(fault.accepted.contains(r"\mathrm{d}"), "{fault}");
+        assert!(both.side(r"\frac{\mathrm{d}}{\mathrm{d}t} x").is_ok());
+    });
+}

@@ -1,15 +1,14 @@
 //! Terms that a printed integral of motion lacks, compared with the integrals of the model.
 
-use super::lost::{Sought, sought};
+use super::lost::{SOUGHT, Sought, sought};
 use crate::integrals::is_constant;
 use crate::letters::Letters;
-use latex::{Statement, Value, value};
+use latex::{Form, Statement, Term, Value, value};
 use symbolic::{Hypotheses, Sym, normal};
 
 /// The values of the letter of the unknown term for which an expression is a multiple of an integral of the model: of its energy, or of the momentum of a cyclic
 /// coordinate.
 pub(super) fn integral_terms(statement: &Statement, letters: &Letters<'_, '_>) -> Vec<Sym> {
-    let trace = letters.trace;
     let meaning = Sought(letters);
     let sides = statement.chains.iter().flat_map(|chain| &chain.sides).filter(|side| !is_constant(side));
     let values: Option<Vec<Sym>> = sides
@@ -19,6 +18,50 @@ pub(super) fn integral_terms(statement: &Statement, letters: &Letters<'_, '_>) -
         })
         .collect();
     let Some([is]) = values.as_deref() else { return Vec::new() };
+    terms_beside(*is, letters)
+}
+
+/// The values of the sought letter in an expression whose rate is printed, with which it is a multiple of the energy or of a momentum.
+pub(super) fn terms_below_rates(statement: &Statement, letters: &Letters<'_, '_>) -> Vec<Sym> {
+    let mut sides = statement.chains.iter().flat_map(|chain| &chain.sides);
+    let Some(below) = sides.find_map(rated) else { return Vec::new() };
+    match value(below, &Sought(letters)) {
+        Ok(Value::Scalar(is)) => terms_beside(is, letters),
+        _ => Vec::new(),
+    }
+}
+
+/// The expression whose rate is printed and in which the sought letter stands.
+fn rated(term: &Term) -> Option<&Term> {
+    match &term.form {
+        Form::Rate(of, 1) => holds_sought(of).then_some(of),
+        Form::Sum(a, b) | Form::Difference(a, b) | Form::Product(a, b) | Form::Dot(a, b) | Form::Quotient(a, b) => {
+            rated(a).or_else(|| rated(b))
+        }
+        Form::Negation(of) => rated(of),
+        _ => None,
+    }
+}
+
+fn holds_sought(term: &Term) -> bool {
+    match &term.form {
+        Form::Number(_) | Form::Matrix(_) => false,
+        Form::Letter(name) => name == SOUGHT,
+        Form::Sum(a, b)
+        | Form::Difference(a, b)
+        | Form::Product(a, b)
+        | Form::Dot(a, b)
+        | Form::Cross(a, b)
+        | Form::Quotient(a, b)
+        | Form::Partial(a, b) => holds_sought(a) || holds_sought(b),
+        Form::Rate(of, _) | Form::Power(of, _) | Form::Function(_, of) => holds_sought(of),
+        Form::Negation(of) | Form::Root(of) | Form::Transposed(of) => holds_sought(of),
+    }
+}
+
+/// The values of the sought letter with which an expression is a multiple of the energy or of a momentum.
+fn terms_beside(is: Sym, letters: &Letters<'_, '_>) -> Vec<Sym> {
+    let trace = letters.trace;
     let plain = is.substitute(&[(sought(), Sym::ZERO)]);
     let slope = is.diff(sought());
     if slope == Sym::ZERO || slope.symbols_of().contains(&sought()) {

@@ -3,7 +3,7 @@
 use super::comparison::letters;
 use super::edit::Edit;
 use super::ground::Ground;
-use super::integral_terms::integral_terms;
+use super::integral_terms::{integral_terms, terms_below_rates};
 use super::places::Places;
 use super::probe::Probe;
 use super::search::edited;
@@ -13,6 +13,7 @@ use crate::claim_text::Kind;
 use crate::letter_forms::ways_to_tell;
 use crate::letters::Letters;
 use crate::linearisation::Linearisation;
+use crate::motion::Motion;
 use latex::{Chain, Meaning, Statement, Value, read, value};
 use model::equations::Equations;
 use std::ops::Range;
@@ -48,8 +49,11 @@ pub(super) fn sought_values(ground: &TextClaim<'_, '_, '_>, statement: &Statemen
 }
 
 fn missing_values(ground: &TextClaim<'_, '_, '_>, statement: &Statement, probe: &Probe<'_, '_>) -> Vec<Sym> {
-    let zero = one_difference(statement, ground.letters);
-    zero.map_or_else(Vec::new, |zero| missing(ground.claim.kind, zero, ground.letters, probe))
+    let letters = ground.letters;
+    // the rate of an unknown term has no value
+    let below_rates = || terms_below_rates(statement, letters);
+    sought_difference(statement, letters)
+        .map_or_else(below_rates, |zero| missing(ground.claim.kind, zero, letters, probe))
 }
 
 /// Edits that add the terms which each sum lacks, if these are at most `most` short terms. `of` returns their values from the formula in which
@@ -116,8 +120,10 @@ pub(super) fn lost_on_a_side(places: &Places, text: &str, missing: &str) -> Vec<
 fn open_sums<'a>(places: &'a Places, text: &'a str) -> impl Iterator<Item = Range<usize>> + 'a {
     let may_hold = |sum: &&Range<usize>| {
         let behind = text[sum.end..].trim_start();
-        let may_follow =
-            behind.is_empty() || behind.starts_with([')', ']', '}', '=', '&']) || behind.starts_with(r"\right");
+        let may_follow = behind.is_empty()
+            || behind.starts_with([')', ']', '}', '=', '&'])
+            || [r"\right", r"\\", r"\end"].into_iter().any(|command| behind.starts_with(command))
+            || [r"\bigr", r"\Bigr", r"\biggr", r"\Biggr"].into_iter().any(|size| behind.starts_with(size));
         may_follow && &text[(*sum).clone()] != "0"
     };
     places.sums.iter().filter(may_hold).cloned()
@@ -136,8 +142,9 @@ fn added(terms: impl Iterator<Item = (Range<usize>, Vec<(&'static str, String)>)
         }
     }
     all.sort_by_key(|edit| edit.after.len());
-    // quotients of sums are left out, since they may compensate for a term that is lost elsewhere
-    let is_plain = |edit: &Edit| !(edit.after.contains(r"\frac") && count(&edit.after) > 2);
+    // a quotient by a sum, or by a rate, would make up for a term that is lost elsewhere
+    let divides_by_rate = |edit: &Edit| edit.after.rsplit_once("}{").is_some_and(|(_, below)| below.contains("dot"));
+    let is_plain = |edit: &Edit| !(edit.after.contains(r"\frac") && (count(&edit.after) > 2 || divides_by_rate(edit)));
     if all.iter().any(is_plain) {
         all.retain(is_plain);
     }
@@ -153,13 +160,18 @@ pub(super) fn signed(term: Sym) -> (&'static str, String) {
     }
 }
 
-/// The difference of the two sides in the symbols of the model.
-fn one_difference(statement: &Statement, letters: &Letters<'_, '_>) -> Option<Sym> {
+/// The difference of the two sides over the model; of matrices that of the first entries in which the sought letter stands.
+fn sought_difference(statement: &Statement, letters: &Letters<'_, '_>) -> Option<Sym> {
     let [Chain { sides, .. }] = &statement.chains[..] else { return None };
     let [left, right] = &sides[..] else { return None };
     let meaning = Sought(letters);
-    match (value(left, &meaning).ok()?, value(right, &meaning).ok()?) {
-        (Value::Scalar(left), Value::Scalar(right)) => Some(left - right),
+    let [left, right] = [value(left, &meaning).ok()?, value(right, &meaning).ok()?];
+    match (&left, &right) {
+        (Value::Scalar(left), Value::Scalar(right)) => Some(*left - *right),
+        (Value::Matrix(_), Value::Matrix(_)) => {
+            let mut entries = left.entries().into_iter().zip(right.entries()).map(|(left, right)| left - right);
+            entries.find(|entry| entry.symbols_of().contains(&sought()))
+        }
         _ => None,
     }
 }
@@ -192,9 +204,9 @@ fn missing(kind: Kind, difference: Sym, letters: &Letters<'_, '_>, probe: &Probe
     let mut found: Vec<Sym> = Vec::new();
     for (residual, slope) in residuals {
         let Ok(form) = normal(-residual / slope, &motion.hypotheses) else { continue };
-        // in all notations, since letters may denote more than one symbol
-        let told = ways_to_tell(letters, form.to_sym(), &motion.hypotheses);
-        for own in told {
+        // unchanged, or by letters that denote more than one symbol
+        let ways = [vec![form.to_sym()], by_dependent_rates(form.to_sym(), motion)].concat();
+        for own in ways.into_iter().flat_map(|way| ways_to_tell(letters, way, &motion.hypotheses)) {
             let Ok(own) = normal(own, &Hypotheses::none()).map(|form| form.to_sym()) else { continue };
             if !found.contains(&own) {
                 found.push(own);
@@ -202,6 +214,20 @@ fn missing(kind: Kind, difference: Sym, letters: &Letters<'_, '_>, probe: &Probe
         }
     }
     found
+}
+
+/// A term as a multiple of a speed, or of its square, that the constraints give by others: `m y'` rather than `m x' tan(psi)`.
+fn by_dependent_rates(term: Sym, motion: &Motion<'_, '_>) -> Vec<Sym> {
+    let dependent = motion.replaced().into_iter().filter(|symbol| motion.trace.speeds.contains(symbol));
+    let powers = dependent.flat_map(|speed| [speed, speed * speed]);
+    let ratios = powers.filter_map(|power| {
+        let value = motion.reduced(power);
+        let ratio = normal(term / value, &motion.hypotheses).ok().filter(|_| value != Sym::ZERO)?.to_sym();
+        let is_plainer = ratio.symbols_of().len() < term.symbols_of().len();
+        let moves = ratio.symbols_of().iter().any(|symbol| motion.trace.speeds.contains(symbol));
+        (is_plainer && !moves).then(|| ratio * power)
+    });
+    ratios.collect()
 }
 
 /// The differences between a printed equation and multiples of the equations of motion.
@@ -275,7 +301,7 @@ pub(super) fn solved(zero: Sym) -> Option<Sym> {
 /// The value of the letter of the unknown term in a claim, on the motion.
 pub(super) fn lack(statement: &Statement, letters: &Letters<'_, '_>, probe: &Probe<'_, '_>) -> Option<Sym> {
     let motion = probe.motion();
-    let value = motion.reduced(solved(one_difference(statement, letters)?)?);
+    let value = motion.reduced(solved(sought_difference(statement, letters)?)?);
     normal(value, &motion.hypotheses).ok().map(|form| form.to_sym())
 }
 

@@ -76,7 +76,10 @@ impl<'a, G: Ground> Search<'a, G> {
             &|| exchanges::relations(text),
             &|| self.exchanges.clone(),
             &|| factors::factors(places, text, self.ground.rates()),
-            &|| [terms::superfluous(places, text), self.ground.lost(places, 1)].concat(),
+            &|| {
+                let angles = terms::angles_in_arguments(places, text, self.ground.rates());
+                [terms::superfluous(places, text), self.ground.lost(places, 1), angles].concat()
+            },
         ];
         for edits in sizes {
             let found = self.proved(edits().into_iter().map(|edit| vec![edit]));

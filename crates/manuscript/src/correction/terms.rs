@@ -2,8 +2,10 @@
 
 use super::edit::Edit;
 use super::exchanges::told;
+use super::letter_rates::LetterRate;
 use super::places::{Places, Summand};
 use crate::change::EditKind;
+use symbolic::Dimension;
 
 /// Edits that remove one term; a term that is alone in its sum is not removed.
 pub(super) fn superfluous(places: &Places, text: &str) -> Vec<Edit> {
@@ -38,4 +40,39 @@ pub(super) fn away(places: &Places, text: &str, chosen: impl Fn(usize, &Summand)
         all.push(Edit::new(EditKind::ExtraTerm, span, "", words));
     }
     all
+}
+
+/// Adds an angle that is a coordinate to the argument of each sine and cosine that has another one, or subtracts it: `\cos(a + b)` for `\cos b`.
+pub(super) fn angles_in_arguments(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
+    let is_angle = |rate: &&LetterRate| {
+        rate.order == 0 && rate.is_symbol && !rate.is_parameter && !rate.is_input && rate.dimension == Dimension::none()
+    };
+    let angles: Vec<&LetterRate> = rates.iter().filter(is_angle).collect();
+    let mut all = Vec::new();
+    for call in &places.calls {
+        let held = &text[call.argument.clone()];
+        let inside =
+            |atom: &&super::places::Atom| call.argument.start <= atom.span.start && atom.span.end <= call.argument.end;
+        let own: Vec<&str> = places.atoms.iter().filter(inside).map(|atom| atom.name.as_str()).collect();
+        let has_angle = angles.iter().any(|angle| own.contains(&angle.name.as_str()));
+        for angle in angles.iter().filter(|angle| has_angle && !own.contains(&angle.name.as_str())) {
+            let held = bare(held);
+            for after in [
+                format!("({held} + {})", angle.latex),
+                format!("({held} - {})", angle.latex),
+                format!("({} - {held})", angle.latex),
+            ] {
+                let words = format!("the angle `{}` in the argument `{held}`", angle.latex);
+                all.push(Edit::new(EditKind::LostTerm, call.argument.clone(), after, words));
+            }
+        }
+    }
+    all
+}
+
+/// An argument without the brackets about it.
+fn bare(argument: &str) -> &str {
+    let pairs = [(r"\left(", r"\right)"), (r"\bigl(", r"\bigr)"), ("(", ")"), ("{", "}")];
+    let inside = |(open, close): (&str, &str)| argument.strip_prefix(open)?.strip_suffix(close);
+    pairs.into_iter().find_map(inside).map_or(argument, str::trim)
 }
