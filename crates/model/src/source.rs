@@ -88,7 +88,7 @@ pub struct Source {
     pub equilibrium: Option<Range<usize>>,
     /// Parameters that a reduced model sets to zero permanently, with all terms that vanish.
     pub absent: Vec<String>,
-    /// Parameters of springs and dampers that a reduced model treats as rigid.
+    /// Parameters of stiff elements that a reduced model treats as rigid.
     pub rigid: Vec<String>,
     /// Angles in place of free rotations, for the free frames in the order of the file; the remaining frames stay free.
     pub angles: Vec<FrameAngles>,

@@ -157,7 +157,7 @@ fn one_file_is_asked_for_and_its_name_has_the_end_of_its_form() {
     folder.scene(&sliding("-F*tanh(x'/v0)", ""));
     assert!(folder.refused(&[]).contains("--fmu"));
     assert!(folder.refused(&["--fmu", "a.fmu", "--c", "a.c"]).contains("cannot be used with"));
-    assert!(folder.refused(&["--fmu", "a.zip"]).contains("ends in .fmu is accepted"));
+    assert!(folder.refused(&["--fmu", "a.zip"]).contains("writes .fmu files only"));
     assert!(folder.refused(&["--fmu", "a.fmu", "--fmi", "1"]).contains("2 and 3 are accepted"));
     assert!(folder.refused(&["--c", "a.c", "--fmi", "2"]).contains("accepted with --fmu"));
     fs::write(folder.0.join("mine.c"), "int main(void) { return 0; }\n").expect("it can be written");

@@ -77,7 +77,7 @@ fn every_command_replaces_its_own_file_and_no_other() {
         folder.refused(&[command, &[name, "--force"]].concat(), "reads this file");
         assert_eq!(folder.read("scene.toml"), scene);
     }
-    folder.refused(&["run", "scene.toml", "--out", "scene.toml"], "ends in .csv or .npz is accepted");
+    folder.refused(&["run", "scene.toml", "--out", "scene.toml"], "`dalembert run` writes .csv or .npz files only");
 }
 
 #[test]

@@ -56,7 +56,7 @@ fn what_has_no_places_and_times_that_there_are_not_are_refused() {
     refused(&[scene, "--view", "0,0,0"], "three numbers that are not all zero");
     refused(&[scene, "--animate", "--time", "1"], "cannot be used with");
     refused(&[scene, "--force"], "--out");
-    refused(&[scene, "--out", "sketch.png"], "ends in .svg is accepted");
+    refused(&[scene, "--out", "sketch.png"], "`dalembert draw` writes .svg files only");
     refused(&[scene, "--animate", "--span", "9..11"], "a part of 0..10 is accepted");
     refused(&[scene, "--animate", "--span", "2..1"], "the earlier first");
     refused(&[scene, "--span", "1..2"], "--animate");

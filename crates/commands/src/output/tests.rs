@@ -131,7 +131,7 @@ fn the_end_of_a_name_must_be_that_of_a_form() {
     let scene = folder.at("scene.toml");
     for name in ["table.png", "table", "table.svg", ".csv", "table.csv.bak"] {
         let refused = write(&writes(&scene, true), &folder.at(name)).expect_err(name);
-        assert!(refused.contains("ends in .csv is accepted"), "{name}: {refused}");
+        assert!(refused.contains("writes .csv files only"), "{name}: {refused}");
     }
     let forms = [Form::Picture, Form::Page];
     for (name, form) in [("a.svg", Form::Picture), ("a.HTML", Form::Page), ("a.htm", Form::Page)] {

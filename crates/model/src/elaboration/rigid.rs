@@ -1,4 +1,4 @@
-//! Springs and dampers that a reduced model treats as rigid: the elongation of the spring, or the damped speed, is zero.
+//! Stiff elements that a reduced model treats as rigid: the elongation of the spring, or the damped speed, is zero.
 //!
 //! A parameter k that tends to infinity, and multiplies a square in the potential energy or in Rayleigh's dissipation function, gives the constraint
 //!
@@ -20,7 +20,7 @@ use symbolic::{Dimension, Node, Sym, apart};
 struct Held {
     /// Elongations of springs, functions of positions.
     positions: Vec<Sym>,
-    /// Speeds of dampers.
+    /// Speeds that a large coefficient of damping holds at zero.
     speeds: Vec<Sym>,
 }
 

@@ -1,5 +1,6 @@
 //! A model: the parts of a system after resolution of all names.
 
+mod comparisons;
 mod constraints;
 mod contacts;
 mod coordinates;

@@ -7,7 +7,6 @@ use super::quasi_velocities::{InQuasiVelocities, collected, written_operations};
 use super::reading::Reading;
 use super::simplified_as_defined;
 use super::turns::{FreeTurn, short_form};
-use crate::arena::{AtZero, Part, Scalar};
 use crate::equations::{Equation, Equations, Level};
 use crate::principles::{NotApplicable, Principle};
 use crate::{Energies, Model, Trace};
@@ -141,7 +140,9 @@ impl MatrixForm {
                 .zip(&trace.model.switches)
                 .map(|(&letter, &condition)| (letter, trace.scalar(condition)))
                 .collect(),
-            hold_at_zero: (0..trace.switches.len()).map(|switch| holds_at_zero(trace.model, switch)).collect(),
+            hold_at_zero: (0..trace.switches.len())
+                .map(|switch| trace.model.value_at_zero(switch) == Some(true))
+                .collect(),
             inputs: open_letters(trace).into_iter().map(|(letter, _)| letter).collect(),
             cosines: cosines(trace),
             turns: trace.turns().collect(),
@@ -295,12 +296,6 @@ impl MatrixForm {
             positive: self.positive.clone(),
         }
     }
-}
-
-/// Whether a condition holds where its expression is zero, as `a <= b` does and `a < b` does not.
-fn holds_at_zero(model: &Model, switch: usize) -> bool {
-    let is = |case: AtZero| model.arena.parts.contains(&Part::Scalar(Scalar::Switch(switch, case)));
-    is(AtZero::On) && !is(AtZero::Off)
 }
 
 /// Quotients of longer expressions are unchanged, since their normal forms may be much longer.

@@ -61,6 +61,8 @@ pub(super) struct Open<'a> {
     pub switches: &'a [usize],
     /// The state of each contact.
     pub touches: &'a [Touch],
+    /// The value of every condition of the model where its expression is zero; `None` where that is not defined.
+    pub at_zero: &'a [Option<bool>],
 }
 
 impl Open<'_> {

@@ -81,6 +81,8 @@ pub struct Laws {
     /// The constraints that events must preserve, compiled when an event first sets a state.
     kept: OnceLock<KeptConstraints>,
     words: Words,
+    /// The value of each condition where its expression is zero.
+    at_zero: Vec<Option<bool>>,
 }
 
 /// The modes of one run: the present law, and the record of events.
@@ -197,6 +199,7 @@ impl Modes {
             expansions: OnceLock::new(),
             kept: OnceLock::new(),
             words: Words::of(&model, events, condition_lines),
+            at_zero: (0..model.switches.len()).map(|switch| model.value_at_zero(switch)).collect(),
             model,
         }))
     }

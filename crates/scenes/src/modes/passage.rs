@@ -56,7 +56,7 @@ impl Modes {
         past: impl Fn(usize) -> Past,
     ) -> Result<Current, &'static str> {
         let (mode, open) = self.cases_at(instant, held)?;
-        self.settled(instant, &mode, Open { switches: &open, touches }, past)
+        self.settled(instant, &mode, Open { switches: &open, touches, at_zero: &self.laws.at_zero }, past)
     }
 
     /// The cases of conditions just after a state. For a condition at zero its rate decides, if the rate does not depend on cases.
@@ -224,7 +224,12 @@ impl Modes {
         let open: Vec<usize> = (0..mode.cases.len()).filter(own).filter(is_open).collect();
         expansions.mirror(&mut mode);
         let instant = Instant { late, before: &rates, ..Instant::at(event.time, state) };
-        let current = self.settled(&instant, &mode, Open { switches: &open, touches: &touches }, keeps);
+        let current = self.settled(
+            &instant,
+            &mode,
+            Open { switches: &open, touches: &touches, at_zero: &self.laws.at_zero },
+            keeps,
+        );
         let current = match current {
             Ok(current) => current,
             // near jamming, rounding decides which condition fails first

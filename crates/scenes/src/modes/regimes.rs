@@ -88,7 +88,7 @@ impl Modes {
         }
         let touches = self.touches(time, state, &cases).map_err(refused)?;
         let (mode, switches) = self.cases_at(&instant, &[]).map_err(refused)?;
-        let open = Open { switches: &switches, touches: &touches };
+        let open = Open { switches: &switches, touches: &touches, at_zero: &self.laws.at_zero };
         let verdict = decided(expansions, &instant, &mode, open);
         let one = |mode: &Mode, expansion: &Expansion<TERMS>, slack: f64| match self
             .is_on_a_bound(mode, expansion, open, slack)

@@ -19,16 +19,20 @@ pub(super) fn rests_beside(
     open: Open<'_>,
     slack: f64,
 ) -> Vec<usize> {
-    let staying = (0..all.len()).filter(|&place| best == Standing::Moves && stays_off(&all[place], open, slack));
+    let staying = (0..all.len()).filter(|&place| best == Standing::Moves && stays(&all[place], open, slack));
     staying.chain(wedged(all, first, open, slack)).collect()
 }
 
-/// True if a motion keeps conditions at zero that are off, as g > 0 is at g = 0.
-fn stays_off((mode, expansion): &(Mode, Expansion<TERMS>), open: Open<'_>, slack: f64) -> bool {
+/// True if a motion keeps conditions at zero with the values that they have there: off for g > 0, on for g >= 0.
+fn stays((mode, expansion): &(Mode, Expansion<TERMS>), open: Open<'_>, slack: f64) -> bool {
     let rests = |switch: &&usize| rests(expansion, mode.cases[**switch], **switch, slack);
     standing(expansion, mode, open, slack) == Some(Standing::Rests)
         && of_contacts(expansion, mode, open, slack) == Some(Standing::Moves)
-        && open.switches.iter().filter(rests).all(|switch| mode.cases[*switch] == Case::Off)
+        && open.switches.iter().filter(rests).all(|&switch| match mode.cases[switch] {
+            Case::On => open.at_zero[switch] == Some(true),
+            Case::Off => open.at_zero[switch] == Some(false),
+            _ => false,
+        })
 }
 
 /// The combinations in which contacts rest since others hold them, with other accelerations than a combination.

@@ -293,7 +293,7 @@ fn faults_of_an_ensemble_are_told_at_their_place() {
     );
     refused(
         &vary("{ from = \"30 deg\", to = \"60 deg\" }", "{ from = \"3 rad\", to = \"6 m\" }"),
-        &["`to`, the start of `a`"],
+        &["`to`, a value for the start of `a`"],
     );
     refused(&vary("members = 11", "members = 0"), &["`members` is out of range"]);
     refused(&vary("members = 11", "member = 11"), &["unknown key `member`", "is `members` meant?"]);

@@ -134,14 +134,18 @@ fn function(page: &mut Page, r: &ReleasedLetters) {
     page.correct();
     let slope = regulator.bellman(r.value, r.deviation, u).diff(u);
     let push = letter("u₁");
-    page.claim(entry, "least",r"As printed, the condition of the minimum of $B$ over $u_1$ is $\partial B/\partial u_1=2u_1+2C_{22}z+2C_{13}\xi+2C_{23}\rho^{\prime}=0$")
-        .under(&with_unit_weights(r, Hypotheses::none()))
-        .why(r"By $m\dot z=u_1$ the bracket has the factor $1/m$, which is missing.")
-        .fails([Line::equation(slope, two * price * push, -gradient[2])]);
+    page.claim(
+        entry,
+        "least",
+        r"As printed, at the minimum of $B$, $\partial B/\partial u_1=2u_1+2C_{22}z+2C_{13}\xi+2C_{23}\rho^{\prime}=0$",
+    )
+    .under(&with_unit_weights(r, Hypotheses::none()))
+    .why(r"By $m\dot z=u_1$ the bracket has the factor $1/m$, which is missing.")
+    .fails([Line::equation(slope, two * price * push, -gradient[2])]);
     page.claim(
         entry,
         "least-corrected",
-        r"The condition of the minimum of $B$ over $u_1$ is $\partial B/\partial u_1=2su_1+\frac1m(2C_{22}z+2C_{13}\zeta+2C_{23}\rho')=0$",
+        r"At the minimum of $B$, $\partial B/\partial u_1=2su_1+\frac1m(2C_{22}z+2C_{13}\zeta+2C_{23}\rho')=0$",
     )
     .holds([Line::equation(slope, two * price * push, -gradient[2] / s.mass)]);
     page.correct();

@@ -79,7 +79,7 @@ fn a_free_frame_is_linearised_by_its_turns() {
         (Some(8), Some(5))
     );
     let text = printed(&["linearise", body]);
-    assert!(text.contains("  F.wx = 0.01, F.wx' = 0") && text.contains("F.q0 = "), "{text}");
+    assert!(text.contains("  F.wx = 0.01 rad/s, F.wx' = 0 rad/s^2") && text.contains("F.q0 = "), "{text}");
     let table = printed(&["linearise", body, "--times", "0,1", "--format", "csv"]);
     assert!(table.contains("1.0,A,turn about F.x [rad],F.wx [rad/s],1.0"), "{table}");
 }
