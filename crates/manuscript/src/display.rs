@@ -145,7 +145,11 @@ pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: To
         plainest(form.to_sym(), line.own, motion, told)
     };
     let [left, right] = line.model;
+    // reactions for which the paper has no letters say nothing to its reader
+    let has_no_reaction =
+        |(own, _): &(Sym, String)| !own.symbols_of().iter().any(|symbol| symbol.to_string().starts_with("multiplier "));
     let of_equations = (kind == Kind::EquationOfMotion).then(|| closest(left - right, motion, &short)).flatten();
+    let of_equations = of_equations.filter(has_no_reaction);
     let along = motion.reduced(left) - motion.reduced(right);
     let is_short = of_equations.is_none() || Sym::operations_of(&[along]) <= LONG;
     let value = if is_short { short(along) } else { None }.map(|own| (own, String::new()));
