@@ -33,7 +33,7 @@ impl Expansions {
             let mut moved = parts;
             for (force, added) in forces.iter().zip(self.responses(clock, &moved.clone(), &all, &letters)) {
                 for (part, rate) in moved.iter_mut().zip(added) {
-                    *part = *part - Jet::constant(force * rate, 0.0);
+                    *part -= Jet::constant(force * rate, 0.0);
                 }
             }
             let displaced = self.values(clock, &moved, &all, &[]);
