@@ -8,7 +8,7 @@ use crate::letters::Letters;
 use crate::lines::Line;
 use crate::motion::Motion;
 use crate::position_letters::by_position_letters;
-use crate::refutation::{LONG, Refutation};
+use crate::refutation::Refutation;
 use field::Elementary;
 use model::equations::Equations;
 use std::cell::OnceCell;
@@ -138,6 +138,9 @@ pub(crate) fn tell_point(
     };
 }
 
+/// The number of operations, common parts counted once, beyond which the normal form of a difference is not computed for display.
+const MANY: usize = 1_000;
+
 /// Adds the terms to a finding that the right side lacks: relative to the closest equation of motion, or to the derived value.
 pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>, finding: &mut Finding) {
     let short = |expression: Sym| {
@@ -151,7 +154,7 @@ pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: To
     let of_equations = (kind == Kind::EquationOfMotion).then(|| closest(left - right, motion, &short)).flatten();
     let of_equations = of_equations.filter(has_no_reaction);
     let along = motion.reduced(left) - motion.reduced(right);
-    let is_short = of_equations.is_none() || Sym::operations_of(&[along]) <= LONG;
+    let is_short = of_equations.is_none() || Sym::operations_of(&[along]) <= MANY;
     let value = if is_short { short(along) } else { None }.map(|own| (own, String::new()));
     let found = match (value, of_equations) {
         (Some(value), Some(equation)) if length(equation.0) < length(value.0) => Some(equation),

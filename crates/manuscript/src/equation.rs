@@ -5,7 +5,7 @@ use crate::exact_points::{Effort, completed, search};
 use crate::half_turn::{is_number_of_half_turn, sign_of_number};
 use crate::lost_divisors::Lost;
 use crate::motion::Motion;
-use crate::refutation::{LONG, Refutation};
+use crate::refutation::Refutation;
 use crate::turned_points;
 use claims::Condition;
 use model::equations::constraints_of;
@@ -26,6 +26,9 @@ pub(crate) enum Outcome {
 
 /// No normal form of longer expressions is computed: they are evaluated in prime fields and at exact points.
 const MOST_EXPANDED: usize = 4_000;
+
+/// The number of operations, common parts counted once, beyond which an exact point is looked for before the normal form is computed.
+const MANY: usize = 1_000;
 
 /// The largest number of points at which angles are fractions of pi.
 const POINTS_OF_ANGLES: u32 = 200;
@@ -78,16 +81,10 @@ fn found(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition], eff
         return found;
     }
     // the normal form of an expression of a linkage outgrows every limit, so that an exact point is looked for first
-    if Sym::operations_of(&[reduced]) > LONG
-        && matches!(identified(&[reduced]), Identity::NotZero)
-        && motion.undetermined(reduced).is_none()
-        && motion.open.is_empty()
+    if Sym::operations_of(&[reduced]) > MANY
+        && let Some(found) = refuted_at_a_point(motion, reduced, conditions, effort)
     {
-        match (search(&[reduced], conditions, motion, effort, |signs| signs[0] != 0), effort) {
-            (Some(refutation), _) => return Outcome::NonZero(refutation),
-            (None, Effort::Part) => return Outcome::Undecided("no plainer point was found".to_owned()),
-            (None, Effort::Whole) => {}
-        }
+        return found;
     }
     match decide(reduced, &motion.hypotheses) {
         Decision::Zero(proof) => Outcome::Zero(proof.requires),
@@ -102,9 +99,28 @@ fn found(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition], eff
                 "{reason}{}; random points of prime fields do not decide either: {why}",
                 above_highest_multiple(reduced)
             )),
-            Identity::NotZero => Outcome::Undecided(reason + &above_highest_multiple(reduced)),
+            Identity::NotZero => refuted_at_a_point(motion, reduced, conditions, effort)
+                .unwrap_or_else(|| Outcome::Undecided(reason + &above_highest_multiple(reduced))),
         },
         Decision::NonZero(witness) => refuted(motion, reduced, (witness, effort), conditions),
+    }
+}
+
+/// The refutation of an expression by an exact point, without its normal form; `None` if random points of prime fields do not differ, or no point is found.
+fn refuted_at_a_point(
+    motion: &Motion<'_, '_>,
+    reduced: Sym,
+    conditions: &[Condition],
+    effort: Effort,
+) -> Option<Outcome> {
+    let is_determined = motion.undetermined(reduced).is_none() && motion.open.is_empty();
+    if !is_determined || !matches!(identified(&[reduced]), Identity::NotZero) {
+        return None;
+    }
+    match (search(&[reduced], conditions, motion, effort, |signs| signs[0] != 0), effort) {
+        (Some(refutation), _) => Some(Outcome::NonZero(refutation)),
+        (None, Effort::Part) => Some(Outcome::Undecided("no plainer point was found".to_owned())),
+        (None, Effort::Whole) => None,
     }
 }
 

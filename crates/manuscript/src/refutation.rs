@@ -7,7 +7,7 @@ use field::Analytic;
 use symbolic::{Hypotheses, Node, Sym, decide, normal};
 
 /// The number of operations, common parts counted once, beyond which a normal form may be very long.
-pub(crate) const LONG: usize = 1_000;
+pub(crate) const LONG: usize = 200;
 
 /// An exact point at which an expression is not zero or has a wrong sign.
 pub(crate) struct Refutation {
