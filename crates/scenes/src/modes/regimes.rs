@@ -159,9 +159,11 @@ impl Modes {
         for &switch in open.switches {
             let condition = &expansion.conditions[switch];
             let is_away = expansion.is_direct[switch] && condition.sign_of(0, SLACKS[0]) != 0.0;
+            let stays = (1..TERMS).all(|order| condition.sign_of(order, SLACKS[0]) == 0.0);
             let (asks, value) = match mode.cases[switch] {
                 Case::On if is_away => ("it is positive", condition.terms[0]),
                 Case::Off if is_away => ("it is negative", -condition.terms[0]),
+                Case::On | Case::Off if stays => ("its expression stays at zero", 0.0),
                 Case::On => (RISES[order(condition) - 1], first_rate(condition)),
                 Case::Off => (FALLS[order(condition) - 1], -first_rate(condition)),
                 _ => {
