@@ -80,8 +80,7 @@ impl Interval {
         Interval { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
-    /// All x with x b in this interval for some b in `by`, as one or two intervals; both `None` where there is no such
-    /// x.
+    /// All x with x b in this interval for some b in `by`, as one or two intervals; both `None` without such x.
     pub fn factors(self, by: Interval) -> [Option<Interval>; 2] {
         if !by.contains(0.0) {
             return [Some(self / by), None];

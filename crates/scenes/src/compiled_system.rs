@@ -41,8 +41,7 @@ pub enum NotCompiled {
     Changes,
     /// A condition or an event depends on accelerations or reactions. `at` is its byte range in the file.
     OfAccelerations { at: Range<usize> },
-    /// The motion with the condition of this index at zero (sliding mode) is undetermined: the law does not depend on the value of the
-    /// switch between its two cases.
+    /// The motion with the condition of this index at zero (sliding mode) is undetermined: the law does not depend on the value of the switch between its two cases.
     NotHeld { switch: usize },
     /// The reaction of the contact with this index is not determined by the motion.
     NotHeldContact { contact: usize },
@@ -96,8 +95,7 @@ pub struct CompiledSystem {
     pub keeps_energy: bool,
     /// The projection onto the constraints, compiled when a run first needs it; `None` if no constraint is projected.
     projection: OnceLock<Option<Arc<ConstraintProjection>>>,
-    /// True if accelerations are eliminated along a tree of many bodies. The length of series and derivatives is then linear in the
-    /// number of bodies.
+    /// True if accelerations are eliminated along a tree of many bodies. The length of series and derivatives is then linear in the number of bodies.
     is_tree: bool,
 }
 
@@ -113,8 +111,7 @@ enum Rates {
 impl CompiledSystem {
     /// Derives and compiles the equations of a mode.
     ///
-    /// # Errors
-    /// The reason for which the equations cannot be compiled.
+    /// # Errors The reason for which the equations cannot be compiled.
     pub fn of(model: &Arc<Model>, mode: &Mode) -> Result<Self, NotCompiled> {
         CompiledSystem::has_equations(model)?;
         if Elimination::of(model) == Elimination::Solved {
@@ -141,8 +138,7 @@ impl CompiledSystem {
     /// The system for a start from which no motion, or more than one, continues: the law with all contacts open. It serves to show the
     /// start; outputs that depend on the motion are NaN.
     ///
-    /// # Errors
-    /// The equations with open contacts cannot be compiled.
+    /// # Errors The equations with open contacts cannot be compiled.
     pub fn without_motion(model: &Arc<Model>) -> Result<Self, NotCompiled> {
         let apart = CompiledSystem::of(model, &Mode::off(model))?;
         Ok(CompiledSystem { without_value: symbolic::apart(|| of_motion(model)), ..apart })
@@ -150,8 +146,7 @@ impl CompiledSystem {
 
     /// Checks that all parameters and inputs have values, and that no condition or event depends on accelerations or reactions.
     ///
-    /// # Errors
-    /// The first parameter or input without a value, or the first such condition or event.
+    /// # Errors The first parameter or input without a value, or the first such condition or event.
     pub(crate) fn has_equations(model: &Model) -> Result<(), NotCompiled> {
         has_values(model)?;
         of_accelerations(model).map_or(Ok(()), |at| Err(NotCompiled::OfAccelerations { at }))
@@ -210,8 +205,7 @@ impl CompiledSystem {
         &self.model
     }
 
-    /// The law for every integrator; series and derivatives are compiled on demand. Constraints hold at the level of accelerations (index
-    /// 1).
+    /// The law for every integrator; series and derivatives are compiled on demand. Constraints hold at the level of accelerations (index 1).
     pub fn law(self: &Arc<Self>) -> Arc<dyn Law> {
         match &self.rates {
             Rates::Written(rates) => {
@@ -242,8 +236,7 @@ impl CompiledSystem {
         matches!(self.rates, Rates::Written(_))
     }
 
-    /// For each component of the state: true if one of the columns `wanted` of a run depends on it. Columns are states, outputs and
-    /// energies by name.
+    /// For each component of the state: true if one of the columns `wanted` of a run depends on it. Columns are states, outputs and energies by name.
     pub(crate) fn states_behind(&self, wanted: &[String]) -> Vec<bool> {
         let states = self.model.positions() + self.model.speeds();
         let columns = columns(&self.model);
@@ -299,8 +292,7 @@ impl CompiledSystem {
         }
     }
 
-    /// The outputs, then kinetic and potential energy, at a time (s) and a state, in SI units; NaN for outputs that depend on a motion
-    /// that does not exist.
+    /// The outputs, then kinetic and potential energy, at a time (s) and a state, in SI units; NaN for outputs that depend on a motion that does not exist.
     pub fn outputs(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.model.outputs.len() + ENERGIES];
         match &self.rates {

@@ -105,16 +105,14 @@ pub(crate) const KNOWN_AS: &str = "name of a system about which the program has 
 impl ModelScene {
     /// Reads the scene in `text`; messages refer to it as `name`.
     ///
-    /// # Errors
-    /// All faults of the text, each with its place.
+    /// # Errors All faults of the text, each with its place.
     pub fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
         ModelScene::parse_with(name, text, Given::default())
     }
 
     /// Reads the scene in `text` with additional data of a calling program.
     ///
-    /// # Errors
-    /// All faults of the text and of the additional values, each with its place.
+    /// # Errors All faults of the text and of the additional values, each with its place.
     pub fn parse_with(name: &str, text: &str, given: Given) -> Result<Self, SceneError> {
         let scene = tables(name, text, |top, issues| {
             // `parse_ensemble` reads these tables

@@ -1,4 +1,4 @@
-//! The values of comparisons at equality of their sides.
+//! The comparisons behind conditions: their values at equality of their sides, and their expressions.
 
 use super::Model;
 use crate::arena::{AtZero, Part, Scalar};
@@ -10,6 +10,14 @@ impl Model {
         match (is(AtZero::On), is(AtZero::Off), is(AtZero::Half)) {
             (true, false, false) => Some(true),
             (false, true, false) => Some(false),
+            _ => None,
+        }
+    }
+
+    /// Returns the name of the coordinate if the expression of a switch is a single coordinate.
+    pub fn coordinate_of_switch(&self, switch: usize) -> Option<&str> {
+        match self.arena.scalar_at(*self.switches.get(switch)?)? {
+            Scalar::Coordinate(place) => Some(&self.coordinates[*place].name),
             _ => None,
         }
     }

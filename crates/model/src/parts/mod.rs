@@ -309,14 +309,6 @@ impl Model {
         }
     }
 
-    /// Returns the name of the coordinate if the expression of a switch is a single coordinate.
-    pub fn coordinate_of_switch(&self, switch: usize) -> Option<&str> {
-        match self.arena.scalar_at(*self.switches.get(switch)?)? {
-            Scalar::Coordinate(place) => Some(&self.coordinates[*place].name),
-            _ => None,
-        }
-    }
-
     /// The model with every equation of its constraints, those that follow from others too.
     #[must_use]
     pub fn whole(&self) -> Self {

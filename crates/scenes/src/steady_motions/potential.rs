@@ -95,9 +95,9 @@ fn is_quadratic(energy: Sym, speeds: &[Sym]) -> bool {
 
 /// The loads behind residuals without accelerations and reactions.
 struct Loads {
-    /// Those without speeds.
+    /// The loads at zero speeds.
     resting: Vec<Sym>,
-    /// What speeds add to them.
+    /// The terms of the loads that depend on speeds.
     of_speeds: Vec<Sym>,
 }
 

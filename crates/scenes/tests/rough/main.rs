@@ -1,5 +1,6 @@
 //! Contacts with Coulomb friction in systems as text, compared with closed forms, with references of many digits, and with equivalent texts.
 
+mod alternating_impacts;
 mod belts;
 mod bounces;
 mod closed_forms;
@@ -12,7 +13,6 @@ mod rational_regimes;
 mod references;
 mod refusals;
 mod regimes;
-mod rocking;
 mod simultaneous_impacts;
 mod space;
 mod starts;

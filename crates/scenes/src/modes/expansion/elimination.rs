@@ -1,10 +1,35 @@
-//! Linear equations over Taylor series with error bounds.
+//! Linear equations over Taylor series with error bounds, and the unknown symbols of a mode by them.
 
 use super::super::jet::Jet;
+use super::Expansions;
 use num_traits::{One, Zero};
 
 /// A pivot counts as zero if it is below this multiple of its error bound.
 const PIVOT: f64 = 64.0;
+
+impl Expansions {
+    /// The values of unknown symbols for which their rows have given right sides; `right` returns the right side of a row and of its
+    /// rate. The second result are the residuals of hidden constraints.
+    pub(super) fn solved_for<const N: usize>(
+        &self,
+        (values, tied): (&[Jet<N>], &[Option<[Jet<N>; 2]>]),
+        unknown: &[usize],
+        right: impl Fn(usize) -> [Jet<N>; 2],
+    ) -> Option<(Vec<Jet<N>>, Vec<Jet<N>>)> {
+        let slopes = self.slopes_by(values, tied, unknown, unknown);
+        if self.algebraic == 0 {
+            let right = (0..unknown.len()).map(|row| right(row)[0]).collect();
+            return Some((solved(slopes, right)?, Vec::new()));
+        }
+        let rates: Vec<usize> = unknown.iter().map(|letter| self.letters() + letter).collect();
+        let of_rates = self.slopes_by(values, tied, &rates, unknown);
+        let row = |(place, (slopes, of_rate)): (usize, (Vec<Jet<N>>, Vec<Jet<N>>))| {
+            let [right, right_of_rate] = right(place);
+            Row { slopes, right, rate: self.is_value(unknown[place]).then_some((of_rate, right_of_rate)) }
+        };
+        with_hidden(&slopes.into_iter().zip(of_rates).enumerate().map(row).collect::<Vec<_>>())
+    }
+}
 
 /// Solves linear equations by Gaussian elimination with partial pivoting; `None` if a pivot is zero up to rounding.
 pub(in super::super) fn solved<const N: usize>(
